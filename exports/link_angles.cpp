@@ -18,16 +18,16 @@ namespace {
 constexpr std::array<std::string_view, 4> kChain{"elbow", "forearm", "dorsum", "object"};
 
 /// Attitude of a segment over the trial.
-using Attitude = std::array<std::span<const double>, columns::kQuaternion.size()>;
+using Attitude = std::array<std::span<const double>, columns::kWxyz.size()>;
 
 std::optional<Attitude> attitude_of(const ExportTrial& trial, std::string_view segment) {
   std::size_t next = 0;  // columns of the signals, group after group
-  std::array<std::optional<std::size_t>, columns::kQuaternion.size()> found;
+  std::array<std::optional<std::size_t>, columns::kWxyz.size()> found;
   for (const auto& group : trial.trial.groups)
     for (const auto& column : group.columns) {
       for (std::size_t c = 0; c < found.size(); ++c)
         if (group.name == tasks::kSegmentGroup &&
-            column == std::string(segment) + "_" + std::string(columns::kQuaternion[c]))
+            column == std::string(segment) + "_q" + std::string(columns::kWxyz[c]))
           found[c] = next;
       ++next;
     }

@@ -3,6 +3,8 @@
 
 #include <map>
 
+#include "hand/arm_columns.hpp"
+
 namespace isograsp::columns {
 
 namespace {
@@ -19,6 +21,12 @@ class ByName {
   }
 
  private:
+  void add(const OfSegment& segment) {
+    add(segment.position);
+    add(segment.attitude);
+    add(segment.residual_m);
+    add(segment.state);
+  }
   void add(const Column& column) { columns_.emplace(column, &column); }
   template <class Some, std::size_t kCount>
   void add(const std::array<Some, kCount>& columns) {
@@ -38,7 +46,8 @@ const Column* find(std::string_view name) {
       net_push_percent, hand_force, raw_force, raw_torque, target_position, actual_position,
       target_attitude, actual_attitude, target_angle_rad, actual_angle_rad, object_velocity,
       object_angular_velocity, object_force, object_torque, contact, slip, utilisation,
-      model_error_rad, model_inexact, lateness_s, compute_s);
+      model_error_rad, model_inexact, segment_pose, link_angle, reference_position,
+      reference_attitude, matched, lateness_s, compute_s);
   return kAll.find(name);
 }
 

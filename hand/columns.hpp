@@ -50,10 +50,11 @@ template <class Make>
   return all;
 }
 [[nodiscard]] constexpr OfComponents attitude(std::string_view name, Phrase<1> what,
-                                              std::string_view body) {
+                                              std::string_view body,
+                                              std::string_view axes = "world") {
   OfComponents all;
   for (std::size_t i = 0; i < 4; ++i)
-    all[i] = {FixedText<28>(name, "_q", kWxyz[i]), ColumnWords(what, kWxyz[i]), "world",
+    all[i] = {FixedText<28>(name, "_q", kWxyz[i]), ColumnWords(what, kWxyz[i]), axes,
               kQuaternion[i], body};
   return all;
 }

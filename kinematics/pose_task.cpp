@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "core/csv.hpp"
 #include "core/toml_reader.hpp"
 #include "kinematics/pose_series.hpp"
 #include "kinematics/read_attitude.hpp"
@@ -74,6 +75,26 @@ Result<PoseTask> parse_pose_task(std::string_view text, const std::string& file)
   return task;
 }
 
+std::string pose_task_text(const PoseTask& task) {
+  std::string sequence;
+  for (const std::size_t target : task.targets)
+    sequence += (sequence.empty() ? "" : ", ") + toml_text(task.references[target].name);
+  std::string text = "format = \"isograsp-pose-task-1\"\nname = " + toml_text(task.name) +
+                     "\nframe = " + toml_text(task.frame) +
+                     "\nposition_tolerance_m = " + format_number(task.position_tolerance_m) +
+                     "\nangle_tolerance_deg = " +
+                     format_number(task.angle_tolerance_rad * (180.0 / std::numbers::pi)) +
+                     "\nhold_s = " + format_number(task.hold_s) +
+                     "\ndisplay_s = " + format_number(task.display_s) +
+                     "\ntime_limit_s = " + format_number(task.time_limit_s) + "\nsequence = [" +
+                     sequence + "]\n";
+  for (const PoseReference& reference : task.references)
+    text += "\n[[reference]]\nname = " + toml_text(reference.name) +
+            "\nposition_m = " + toml_numbers(reference.X_WR.p) +
+            "\nquaternion_wxyz = " + toml_numbers(reference.X_WR.q) + "\n";
+  return text;
+}
+
 void PoseTaskRun::cue(double t_s) noexcept {
   matched_ = false;
   cue_s_ = t_s;
@@ -81,6 +102,20 @@ void PoseTaskRun::cue(double t_s) noexcept {
   enter_s_.reset();
   position_sum_m_ = angle_sum_rad_ = 0.0;
   rows_ = 0;
+}
+
+double PoseTaskRun::c(double t_s) const noexcept {
+  return std::min(t_s, last_valid_s_ + kLongestStandIn_s) - pauses_s_;
+}
+
+double PoseTaskRun::clock_s(double t_s) const noexcept {
+  return started_ ? c(t_s) - first_c_ : 0.0;
+}
+
+double PoseTaskRun::hold_fraction(double t_s) const noexcept {
+  if (matched_) return 1.0;
+  if (!enter_s_ || task_.hold_s <= 0.0) return 0.0;
+  return std::clamp((c(t_s) - enter_c_) / task_.hold_s, 0.0, 1.0);
 }
 
 PoseEvent PoseTaskRun::ended() const noexcept {
@@ -130,6 +165,7 @@ std::optional<PoseEvent> PoseTaskRun::step(double t_s, const Pose& X_WO) noexcep
   if (!started_) {
     started_ = true;
     cue(t_s);
+    first_c_ = cue_c_;
   } else if (!held && t_s - last_valid_s_ > kLongestStandIn_s + kMarkerTimeSlack_s) {
     pauses_s_ += t_s - last_valid_s_ - kLongestStandIn_s;
     if (!matched_) enter_s_.reset();

@@ -32,6 +32,9 @@ struct PoseTask {
 
 [[nodiscard]] Result<PoseTask> parse_pose_task(std::string_view text, const std::string& file);
 
+/// As a file that parse_pose_task() reads to the same task.
+[[nodiscard]] std::string pose_task_text(const PoseTask& task);
+
 /// One target as it ended. Times are those of the rows; what a target did not come to is missing.
 struct PoseEvent {
   std::size_t reference = 0;
@@ -60,8 +63,20 @@ class PoseTaskRun {
   /// Which target is shown; targets.size() at the end.
   [[nodiscard]] std::size_t target() const noexcept { return target_; }
   [[nodiscard]] bool matched() const noexcept { return matched_; }
+  /// The first pose was seen.
+  [[nodiscard]] bool started() const noexcept { return started_; }
+  /// The stay that may reach the target has begun.
+  [[nodiscard]] bool inside() const noexcept { return enter_s_.has_value(); }
+  /// The task's clock since the first cue [s].
+  [[nodiscard]] double clock_s(double t_s) const noexcept;
+  /// How much of the stay that reaches the target is over, 0 … 1.
+  [[nodiscard]] double hold_fraction(double t_s) const noexcept;
+  /// How long the running target has been sought on the task's clock [s].
+  [[nodiscard]] double sought_s(double t_s) const noexcept { return c(t_s) - cue_c_; }
 
  private:
+  /// The task's clock; it stands still 50 ms after the last pose.
+  [[nodiscard]] double c(double t_s) const noexcept;
   void cue(double t_s) noexcept;
   [[nodiscard]] PoseEvent ended() const noexcept;
   std::optional<PoseEvent> seek(double t_s, const Pose& X_WO) noexcept;
@@ -70,6 +85,7 @@ class PoseTaskRun {
   std::size_t target_ = 0;
   bool started_ = false;
   bool matched_ = false;
+  double first_c_ = 0.0;  ///< the first cue, on the task's clock
   double pauses_s_ = 0.0;
   double last_valid_s_ = 0.0;
   Pose last_ = missing_pose();

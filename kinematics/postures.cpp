@@ -8,6 +8,7 @@
 #include "kinematics/postures.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/toml_reader.hpp"
@@ -17,7 +18,7 @@ namespace isograsp {
 
 namespace {
 
-constexpr std::size_t kMostLinks = 16;
+constexpr std::size_t kMostLinks = StartPostureMean::kMostFrames - 1;
 
 Posture read_posture(TomlReader& table, std::size_t links) {
   Posture posture;
@@ -72,6 +73,42 @@ std::string postures_text(const Postures& library) {
   return text;
 }
 
+void StartPostureMean::add(std::span<const Pose> X_W) noexcept {
+  for (const Pose& pose : X_W)
+    if (is_missing(pose)) return;
+  for (std::size_t k = 0; k < frames_; ++k) {
+    const Pose X = k == 0 ? X_W[0] : compose(inverse(X_W[k - 1]), X_W[k]);
+    Sum& sum = sums_[k];
+    if (rows_ == 0) sum.first = X.p;
+    sum.p += X.p;
+    sum.square += (X.p - sum.first).cwiseAbs2();
+    sum.attitude.add(X.q);
+  }
+  ++rows_;
+}
+
+double StartPostureMean::largest_sd_m() const noexcept {
+  if (rows_ < 2) return kMissing;
+  const auto n = static_cast<double>(rows_);
+  double largest = 0.0;
+  for (std::size_t k = 0; k < frames_; ++k) {
+    const Vec3 away = sums_[k].p / n - sums_[k].first;
+    const double variance = (sums_[k].square - n * away.cwiseAbs2()).sum() / (n - 1.0);
+    largest = std::max(largest, std::sqrt(std::max(0.0, variance)));
+  }
+  return largest;
+}
+
+StartPosture StartPostureMean::mean() const {
+  const auto n = static_cast<double>(rows_);
+  StartPosture start;
+  start.rows = rows_;
+  start.X_W = {sums_[0].p / n, sums_[0].attitude.mean()};
+  for (std::size_t k = 1; k < frames_; ++k)
+    start.X_L.push_back({sums_[k].p / n, sums_[k].attitude.mean()});
+  return start;
+}
+
 Result<StartPosture> start_posture(const PoseSeries& series,
                                    const std::vector<std::string>& chain) {
   std::vector<std::size_t> frames;
@@ -80,35 +117,17 @@ Result<StartPosture> start_posture(const PoseSeries& series,
     if (!at) return at.error();
     frames.push_back(*at);
   }
-  StartPosture start;
-  const std::size_t links = chain.size() - 1;
-  std::vector<Vec3> sums(links, Vec3::Zero());
-  std::vector<MeanAttitude> attitudes(links);
-  Vec3 sum = Vec3::Zero();
-  MeanAttitude attitude;
+  StartPostureMean mean(frames.size());
+  std::vector<Pose> X_W(frames.size());
   for (std::size_t row = 0; row < series.t_s.size(); ++row) {
-    const auto pose = [&](std::size_t k) -> const Pose& { return series.X_W[frames[k]][row]; };
-    bool complete = true;
-    for (std::size_t k = 0; k < frames.size(); ++k) complete = complete && !is_missing(pose(k));
-    if (!complete) continue;
-    ++start.rows;
-    sum += pose(0).p;
-    attitude.add(pose(0).q);
-    for (std::size_t l = 0; l < links; ++l) {
-      const Pose X_L = compose(inverse(pose(l)), pose(l + 1));
-      sums[l] += X_L.p;
-      attitudes[l].add(X_L.q);
-    }
+    for (std::size_t k = 0; k < frames.size(); ++k) X_W[k] = series.X_W[frames[k]][row];
+    mean.add(X_W);
   }
-  if (start.rows == 0)
+  if (mean.rows() == 0)
     return refused("has no row in which the whole chain is seen"_text,
                    "record again with all markers in view"_text)
         .at(series.source);
-  const auto rows = static_cast<double>(start.rows);
-  start.X_W = {sum / rows, attitude.mean()};
-  for (std::size_t l = 0; l < links; ++l)
-    start.X_L.push_back({sums[l] / rows, attitudes[l].mean()});
-  return start;
+  return mean.mean();
 }
 
 std::vector<std::string> chain_of(const Rig& rig) {
@@ -120,6 +139,21 @@ std::vector<std::string> chain_of(const Rig& rig) {
       chain.push_back(link.child);
   }
   return chain;
+}
+
+Postures part_of_the_way(Postures library, double way) {
+  const Posture initial = library.postures.front();
+  for (Posture& posture : library.postures)
+    for (std::size_t l = 0; l < posture.X_L.size(); ++l) {
+      const Pose change = compose(inverse(initial.X_L[l]), posture.X_L[l]);
+      const Vec3 turn = way * rotation_vector(change.q);
+      const double angle_rad = turn.norm();
+      const Quat q =
+          angle_rad > 0.0 ? Quat(Eigen::AngleAxisd(angle_rad, turn / angle_rad)) : Quat::Identity();
+      posture.X_L[l] = compose(initial.X_L[l], {way * change.p, q});
+      posture.X_L[l].q.normalize();
+    }
+  return library;
 }
 
 Pose adapted(const Postures& library, std::size_t index, const StartPosture& start,

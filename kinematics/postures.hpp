@@ -3,7 +3,9 @@
 // et al., eq. 1-5; docs/markers.md). X_L of a link is the pose of its child in its parent.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,9 +43,44 @@ struct StartPosture {
 [[nodiscard]] Result<StartPosture> start_posture(const PoseSeries& series,
                                                  const std::vector<std::string>& chain);
 
+/// The same row by row. Real-time: nothing is allocated.
+class StartPostureMean {
+ public:
+  static constexpr std::size_t kMostFrames = 17;
+
+  /// @pre 2 <= frames <= kMostFrames
+  explicit StartPostureMean(std::size_t frames) noexcept : frames_(frames) {}
+  /// Poses of the chain's frames in one row; a row in which one is missing does not count.
+  /// @pre X_W.size() is the number of frames
+  void add(std::span<const Pose> X_W) noexcept;
+  [[nodiscard]] std::size_t rows() const noexcept { return rows_; }
+  /// Standard deviation (n - 1) of the position of the first frame and of each link, norm over the
+  /// axes, the largest of them [m]; missing with fewer than two rows.
+  [[nodiscard]] double largest_sd_m() const noexcept;
+  /// @pre rows() > 0
+  [[nodiscard]] StartPosture mean() const;
+
+ private:
+  /// Of the first frame in the world, then of each link.
+  struct Sum {
+    Vec3 p = Vec3::Zero();
+    Vec3 first = Vec3::Zero();  ///< the first position: squares are of differences from it
+    Vec3 square = Vec3::Zero();
+    MeanAttitude attitude;
+  };
+  std::size_t frames_;
+  std::size_t rows_ = 0;
+  std::array<Sum, kMostFrames> sums_{};
+};
+
 /// The chain of links of a rig, from the first link whose parent is a frame: E, F, D, O. Empty:
 /// there is none.
 [[nodiscard]] std::vector<std::string> chain_of(const Rig& rig);
+
+/// The same library with each posture only this part of the way from the initial one, 0 … 1: of
+/// each change of a link the translation is shortened and the rotation turned that far about its
+/// axis.
+[[nodiscard]] Postures part_of_the_way(Postures library, double way);
 
 /// What is done with translations of a posture change: left as they are, or made longer and shorter
 /// as the patient's link is.

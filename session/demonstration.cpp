@@ -40,6 +40,9 @@ tasks::ForceReferences completed(const tasks::ForceReferences& known) {
 Result<Demonstration> demonstrate(const tasks::TaskSpec& spec,
                                   const tasks::ForceReferences& references, Hand hand,
                                   const std::string& library) {
+  ApparatusInfo shown_with;
+  shown_with.kind = ForcePlatform::kKind;
+  if (auto fits = check_apparatus(spec.apparatus(), shown_with); !fits) return fits.error();
   const std::string text = "sim://healthy?seed=1&hand=" + std::string(name_of(hand));
   const auto uri = Uri::parse(text);
   if (!uri) return uri.error();

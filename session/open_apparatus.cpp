@@ -5,6 +5,7 @@
 #include <array>
 
 #include "device/sensors/force_device.hpp"
+#include "session/open_arm.hpp"
 #include "session/platform/force_platform.hpp"
 #include "session/simulated_person.hpp"
 
@@ -28,7 +29,11 @@ Result<std::unique_ptr<Apparatus>> open_platform(const ApparatusRequest& request
       PlatformOptions{request.hand, request.library, request.display_delay_s}));
 }
 
-constexpr std::array<ApparatusRow, 1> kRows{{{"", "", open_platform}}};
+constexpr std::array<ApparatusRow, 5> kRows{{{"qtm", "", "", open_arm},
+                                             {"natnet", "", "", open_arm},
+                                             {"sim", "arm", "", open_arm},
+                                             {"replay", "", "rig", open_arm},
+                                             {"", "", "", open_platform}}};
 
 }  // namespace
 
@@ -40,7 +45,8 @@ Result<std::unique_ptr<Apparatus>> open_apparatus(const ApparatusRequest& reques
                                                   std::span<const ApparatusRow> rows) {
   const auto row = std::find_if(rows.begin(), rows.end(), [&](const ApparatusRow& one) {
     return (one.scheme.empty() || one.scheme == request.uri.scheme) &&
-           (one.target.empty() || one.target == request.uri.target);
+           (one.target.empty() || one.target == request.uri.target) &&
+           (one.parameter.empty() || request.uri.parameters.contains(std::string(one.parameter)));
   });
   return row->open(request);
 }

@@ -24,8 +24,9 @@ struct ApparatusRequest {
 
 /// One row of the table: the first that fits a URI opens it.
 struct ApparatusRow {
-  std::string_view scheme;  ///< empty: any
-  std::string_view target;  ///< "arm" of sim://arm; empty: any
+  std::string_view scheme;     ///< empty: any
+  std::string_view target;     ///< "arm" of sim://arm; empty: any
+  std::string_view parameter;  ///< that it must have: "rig" of replay://FILE?rig=; empty: none
   Result<std::unique_ptr<Apparatus>> (*open)(const ApparatusRequest& request) = nullptr;
 };
 /// The table: every apparatus that this program knows; the last row takes all that is left.

@@ -109,8 +109,8 @@ int Agenda::expected() const {
 
 namespace {
 
-/// Hand out, one second of quiet, hand in again.
-constexpr double kZero_s = 15.0;
+/// Hand out, one second of quiet, hand in again; or an arm that finds its start posture.
+constexpr double kPreparation_s = 15.0;
 double time_of(const ProtocolSpec& protocol, const std::vector<std::vector<TaskSpec>>& tasks,
                bool worst) {
   Agenda agenda(protocol, 0);
@@ -120,8 +120,8 @@ double time_of(const ProtocolSpec& protocol, const std::vector<std::vector<TaskS
   while (const auto item = agenda.next()) {
     const ProtocolStep& step = protocol.steps[item->step];
     now_s = std::max(now_s, item->not_before_s);
-    if (step.kind == ProtocolStep::Kind::instrument_zero) {
-      now_s += kZero_s;
+    if (step.prepares()) {
+      now_s += kPreparation_s;
     } else if (step.kind == ProtocolStep::Kind::pause) {
       now_s += step.duration_s;
     } else {

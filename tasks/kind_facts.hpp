@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "core/measure.hpp"
+#include "core/result.hpp"
 #include "tasks/aim.hpp"
 #include "tasks/difficulty.hpp"
 #include "tasks/object_targets.hpp"
@@ -40,7 +41,8 @@ enum class TaskGroup : std::uint8_t {
   follow,
   hold_and_let_go,
   fingers_and_directions,
-  object
+  object,
+  arm
 };
 
 /// Which measures of a task the report draws, in order, and which of them stand at a glance.
@@ -84,6 +86,9 @@ struct KindFacts {
   Duration (*duration)(const KindSpec&) = nullptr;
   /// Name of the scene; nullptr: a force task has no object.
   std::string (*scene)(const KindSpec&) = nullptr;
+  /// Name of a file of postures (kinematics/postures.hpp): those that the arm is brought to, and
+  /// the initial one.
+  std::string (*postures)(const KindSpec&) = nullptr;
   /// How force and target are shown and scaled.
   const Aim* (*aim)(const KindSpec&) = nullptr;
   /// The force that is to be as large as possible, or as is comfortable, where there is one.
@@ -104,13 +109,16 @@ struct KindFacts {
   std::optional<AxisCourse> (*course)(const KindSpec&, double period_s) = nullptr;
   /// Makes a task easier or harder. False: it has nothing of that sort to multiply.
   bool (*multiply)(KindSpec&, Difficulty::Factor factor, double by) = nullptr;
+  /// The column that it is about, where that is no force and no object; nullptr: none.
+  std::string (*curve)(const KindSpec&) = nullptr;
   /// Efforts that it asks for; nullptr: 1, it goes on without a break.
   int (*repetitions)(const KindSpec&) = nullptr;
 
   // How it runs: one of the two. Both nullptr: it was recorded elsewhere, nobody can do it live.
   /// Levels times `unit` are newtons.
   std::vector<Segment> (*segments)(const KindSpec&, const Unit& unit, Pace& pace) = nullptr;
-  std::unique_ptr<Task> (*make)(const KindSpec&, const TaskContext& context) = nullptr;
+  /// Refused where the context lacks what the task needs.
+  Result<std::unique_ptr<Task>> (*make)(const KindSpec&, const TaskContext& context) = nullptr;
 
   // What is measured. Pure: same signals, same numbers, bit for bit.
   std::vector<Measure> (*measures)(const KindSpec&, const Record& record) = nullptr;

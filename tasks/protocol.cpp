@@ -43,15 +43,15 @@ void read_agreement(TomlReader& table, ProtocolStep& step) {
 
 ProtocolStep read_step(TomlReader& table) {
   ProtocolStep step;
-  step.kind =
-      static_cast<ProtocolStep::Kind>(table.choice("kind", {"instrument_zero", "task", "pause"}));
+  step.kind = static_cast<ProtocolStep::Kind>(
+      table.choice("kind", {"instrument_zero", "task", "pause", "start_posture"}));
   if (step.kind == ProtocolStep::Kind::pause) {
     step.duration_s = read_duration(table, "duration_s", 0.0);
     if (!table.has("duration_s")) table.fail("duration_s", "is missing"_text, "add it"_text);
     return step;
   }
   step.rest_s = read_wait(table, "rest_s", 0.0);
-  if (step.kind == ProtocolStep::Kind::instrument_zero) return step;
+  if (step.prepares()) return step;
   read_tasks(table, step);
   step.repetitions = read_count(table, "repetitions", 1, kMostStepRepetitions);
   read_agreement(table, step);

@@ -5,8 +5,10 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "core/result.hpp"
+#include "kinematics/pose_task.hpp"
 #include "tasks/references.hpp"
 #include "tasks/task_spec.hpp"
 #include "tasks/task_view.hpp"
@@ -18,6 +20,8 @@ struct TaskContext {
   double period_s = 0.01;  ///< of the frame grid
   std::uint64_t seed = 0;  ///< of fresh sequences and waits that cannot be foreseen
   ForceReferences references;
+  /// Where postures bring the object, of this arm (kinematics/postures.hpp).
+  std::vector<PoseReference> references_of_poses;
 };
 
 class Task {

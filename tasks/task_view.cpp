@@ -6,6 +6,7 @@ namespace isograsp::tasks {
 namespace {
 const ForceView kNoForce;
 const ObjectView kNoObject;
+const ArmView kNoArm;
 const ObjectInput kNoObjectInput;
 }  // namespace
 
@@ -30,6 +31,11 @@ const ForceView& SpecialView::force() const noexcept {
 const ObjectView& SpecialView::object() const noexcept {
   const auto* view = std::get_if<ObjectView>(&special);
   return view != nullptr ? *view : kNoObject;
+}
+
+const ArmView& SpecialView::arm() const noexcept {
+  const auto* view = std::get_if<ArmView>(&special);
+  return view != nullptr ? *view : kNoArm;
 }
 
 ForceView blank_force(const ForceReferences& references, ForceChannel channel) {

@@ -12,6 +12,7 @@
 #include "hand/finger.hpp"
 #include "hand/force_channel.hpp"
 #include "hand/stimulus.hpp"
+#include "kinematics/attitude.hpp"
 #include "tasks/references.hpp"
 #include "tasks/task_progress.hpp"
 
@@ -29,8 +30,13 @@ struct ObjectInput {
   const ObjectState* object = nullptr;       ///< null: nothing is known of it
   std::array<bool, kFingerCount> contact{};  ///< fingers that touch the object
 };
+/// Of a task of an arm that moves a real object.
+struct ArmInput {
+  double t_s = 0.0;            ///< of the row: runs on while the object is out of sight
+  Pose X_WO = missing_pose();  ///< of the object; missing_pose(): not seen in this row
+};
 /// std::monostate: of an apparatus whose tasks need to know nothing but the time.
-using TaskInput = std::variant<std::monostate, ForceInput, ObjectInput>;
+using TaskInput = std::variant<std::monostate, ForceInput, ObjectInput, ArmInput>;
 
 struct ForceView {
   ForceChannel channel;     ///< the force that the task is about
@@ -54,14 +60,22 @@ struct ObjectView {
   Pose placed_X_WO;
 };
 
+struct ArmView {
+  bool reference_shown = false;
+  Pose X_WR;
+  bool matched = false;  ///< reached; it stays in view for a moment
+};
+
 /// What is special about a task of one sort.
 struct SpecialView {
-  std::variant<std::monostate, ForceView, ObjectView> special;
+  std::variant<std::monostate, ForceView, ObjectView, ArmView> special;
 
   /// Of a force task, or of the hand that holds an object; blank: of neither.
   [[nodiscard]] const ForceView& force() const noexcept;
   /// Blank: of a task without object.
   [[nodiscard]] const ObjectView& object() const noexcept;
+  /// Blank: of a task that is not about an arm.
+  [[nodiscard]] const ArmView& arm() const noexcept;
 };
 
 /// What the screen shows and the record keeps after a step.

@@ -178,7 +178,7 @@ std::vector<LibraryEntry> LibraryFiles::list(LibraryKind kind) const {
   entries.insert(entries.end(), shipped.begin(), shipped.end());
   const auto rank = [](const LibraryEntry& entry) {
     if (entry.own) return -1;
-    for (int group = 0; group <= static_cast<int>(TaskGroup::object); ++group)
+    for (int group = 0; group <= static_cast<int>(TaskGroup::arm); ++group)
       if (entry.group == words_of(static_cast<TaskGroup>(group)).english()) return group;
     return 0;
   };

@@ -217,6 +217,7 @@ LibraryPreview of_scene(const Scene& scene, const Plan& plan) {
 QString words_of(const tasks::ProtocolStep& step, const std::vector<tasks::TaskSpec>& tasks) {
   switch (step.kind) {
     case tasks::ProtocolStep::Kind::instrument_zero: return PreviewTexts::tr("Instrument zero");
+    case tasks::ProtocolStep::Kind::start_posture: return PreviewTexts::tr("Start posture");
     case tasks::ProtocolStep::Kind::pause: return PreviewTexts::tr("Pause");
     case tasks::ProtocolStep::Kind::task: break;
   }

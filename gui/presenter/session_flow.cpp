@@ -20,7 +20,8 @@ ProtocolFacts protocol_facts(const ProtocolGuide& guide, bool by_itself, double 
   const auto& act = guide.act();
   if (!act) return facts;
   switch (act->kind) {
-    case Act::Kind::instrument_zero: facts.act = ProtocolFacts::Act::zero; break;
+    case Act::Kind::instrument_zero:
+    case Act::Kind::start_posture: facts.act = ProtocolFacts::Act::zero; break;
     case Act::Kind::pause: facts.act = ProtocolFacts::Act::pause; break;
     case Act::Kind::trial: facts.act = ProtocolFacts::Act::trial; break;
   }

@@ -9,6 +9,7 @@
 
 #include "hand/columns.hpp"
 #include "hand/platform_records.hpp"
+#include "reports/findings/report_content.hpp"
 #include "reports/findings/wording.hpp"
 #include "tasks/score.hpp"
 
@@ -107,8 +108,9 @@ std::int64_t lost_on_the_wire(const std::vector<storage::TrialRecord>& trials) {
   const auto health = nlohmann::json::parse(trials.back().health_json, nullptr, false);
   if (!health.is_object()) return 0;
   std::int64_t lost = count_at(health, "kernel_drops");
-  for (const auto finger : kFingerNames)
-    if (const auto sensor = health.find(finger); sensor != health.end() && sensor->is_object())
+  for (const std::string_view part :
+       {kFingerNames[0], kFingerNames[1], kFingerNames[2], std::string_view("cameras")})
+    if (const auto sensor = health.find(part); sensor != health.end() && sensor->is_object())
       lost += count_at(*sensor, "lost");
   return lost;
 }
@@ -135,6 +137,44 @@ QualityLine zero_line(const storage::SessionRecord& session,
           "done with the device empty, %1 times; empty noise %2 N (SD, largest axis)"_text(
               sd.size(), two_digits(noise_N)),
           false};
+}
+
+/// An arm is held still instead; an instrument zero it has none.
+std::optional<QualityLine> start_posture_line(
+    const std::vector<storage::PreparationRecord>& preparations) {
+  const storage::PreparationRecord* newest = nullptr;
+  for (const auto& one : preparations)
+    if (one.kind == "start_posture") newest = &one;
+  if (newest == nullptr) return std::nullopt;
+  const auto sd_m = storage::value_of(newest->references, "largest_sd_m");
+  if (!sd_m) return QualityLine{"Start posture"_text, "held still"_text, false};
+  constexpr double kMillimetres = 1000.0;
+  return QualityLine{
+      "Start posture"_text,
+      "held still; largest wander of a link %1 mm (SD)"_text(two_digits(kMillimetres * *sd_m)),
+      false};
+}
+
+bool are_of_arm(const std::vector<storage::TrialRecord>& trials) {
+  for (const auto& trial : trials) {
+    const auto spec = tasks::parse_task(trial.task_text, trial.task_name);
+    if (spec && spec->apparatus() == kArm) return true;
+  }
+  return false;
+}
+
+QualityLine picture_line(const SignalFacts& facts, std::int64_t recorder_drops, std::int64_t lost) {
+  const auto words =
+      facts.rows == 1
+          ? "object out of sight %1, its last pose stood in %2 of %3 picture; lost on the way %4, not recorded %5"_text
+          : "object out of sight %1, its last pose stood in %2 of %3 pictures; lost on the way %4, not recorded %5"_text;
+  constexpr double kNoticeable = 0.1;  // of the pictures: an arm turns away as it moves
+  return {"Samples"_text,
+          words(share(facts.missing, facts.rows), share(facts.held, facts.rows), facts.rows, lost,
+                recorder_drops),
+          static_cast<double>(facts.missing + facts.held) >
+                  kNoticeable * static_cast<double>(facts.rows) ||
+              recorder_drops > 0};
 }
 
 QualityLine sample_line(const SignalFacts& facts, std::int64_t recorder_drops, std::int64_t lost) {
@@ -250,11 +290,18 @@ Result<std::vector<QualityLine>> assess_quality(storage::SessionStore& store,
       from = end + 1;
     }
   }
-  lines.push_back(zero_line(session, *preparations));
+  const bool of_arm = are_of_arm(trials);
+  if (!of_arm)
+    lines.push_back(zero_line(session, *preparations));
+  else
+    lines.push_back(start_posture_line(*preparations)
+                        .value_or(QualityLine{"Start posture"_text, "not taken"_text, true}));
   lines.push_back(trial_line(trials));
   std::int64_t dropped = 0;
   for (const auto& trial : trials) dropped += trial.dropped;
-  if (facts->rows > 0) lines.push_back(sample_line(*facts, dropped, lost_on_the_wire(trials)));
+  if (facts->rows > 0)
+    lines.push_back(
+        (of_arm ? picture_line : sample_line)(*facts, dropped, lost_on_the_wire(trials)));
   lines.push_back(fault_line(*events));
   lines.push_back(time_line(trials, session.rate_Hz));
   lines.push_back(delay_line(session));

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/date.hpp"
-#include "hand/columns.hpp"
+#include "hand/arm_columns.hpp"
 #include "reports/findings/comparable.hpp"
 #include "reports/findings/data_quality.hpp"
 #include "reports/findings/patient_records.hpp"
@@ -36,6 +36,7 @@ DrawnTrial drawn(storage::SessionStore& store, const StoredTrial& trial,
                  const TaskSection& section) {
   DrawnTrial drawn{trial.session, trial.trial.number, {}, trial.measures, {}};
   const bool fingers = section.spec && section.spec->kind->path_drawn;
+  const bool arm = section.spec && section.spec->apparatus() == kArm;
   const auto is_finger_force = [](const std::string& name) {
     for (const auto& axes : columns::finger_force)
       if (std::find(axes.begin(), axes.end(), name) != axes.end()) return true;
@@ -49,7 +50,8 @@ DrawnTrial drawn(storage::SessionStore& store, const StoredTrial& trial,
   for (const auto& name : signals->names()) {
     const bool shown = name == columns::t_s || name == columns::phase ||
                        name == columns::sample_flags || name.starts_with(columns::kTarget) ||
-                       name.starts_with(columns::kActual) || (fingers && is_finger_force(name));
+                       name.starts_with(columns::kActual) || (fingers && is_finger_force(name)) ||
+                       (arm && !name.starts_with(columns::kMarker));
     if (!shown || drawn.curves.has(name)) continue;
     const auto column = signals->column(name);
     drawn.curves.add_column(name, {column.begin(), column.end()});

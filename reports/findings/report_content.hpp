@@ -87,7 +87,8 @@ struct MeasureSeries {
 struct DrawnTrial {
   std::size_t session = 0;
   int number = 0;
-  Signals curves;                 ///< t_s, phase, target_*, actual_*, of objects finger forces
+  Signals
+      curves;  ///< t_s, phase, target_*, actual_*, of objects finger forces, of an arm its poses
   std::vector<Measure> measures;  ///< as stored
   Text problem;                   ///< why the signals cannot be shown
 };
@@ -99,6 +100,9 @@ struct SeriesBreak {
 };
 
 /// One task with one hand, or with both: sessions that may be compared with each other.
+/// The apparatus of tasks of an arm (KindFacts::apparatus).
+inline constexpr std::string_view kArm = "arm";
+
 struct TaskSection {
   std::string task;
   int version = 1;

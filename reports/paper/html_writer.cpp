@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "hand/columns.hpp"
+#include "hand/arm_columns.hpp"
 #include "reports/findings/report_text.hpp"
 #include "reports/paper/html_panel.hpp"
 #include "reports/paper/html_parts.hpp"
@@ -117,9 +117,11 @@ struct HtmlReport::Parts {
     }
     out_ += "<div class=\"trial\"><figure>\n";
     const bool path = has_path(section);
-    out_ += svg_of(overlay_plot(section, *section.last, path ? QSizeF(420, 230) : QSizeF(640, 160),
-                                kHtmlUnit, say_.language()),
-                   title, say_(describe_overlay(section)));
+    out_ +=
+        svg_of(overlay_plot(section, *section.last,
+                            path ? QSizeF(420, 230) : QSizeF(640, is_of_arm(section) ? 230 : 160),
+                            kHtmlUnit, say_.language()),
+               title, say_(describe_overlay(section)));
     out_ += "</figure>\n";
     if (path)
       out_ += "<figure>\n" +
@@ -169,8 +171,12 @@ struct HtmlReport::Parts {
                                   {columns::actual_position[1], "Patient y"_text},
                                   {columns::target_angle_rad, "Target angle"_text},
                                   {columns::actual_angle_rad, "Patient angle"_text}}
-             : std::vector<Shown>{{columns::target_force_N, "Target force"_text},
-                                  {columns::actual_force_N, "Patient force"_text}};
+        : is_of_arm(section)
+            ? std::vector<Shown>{{columns::link_angle[0][2], "Forearm"_text},
+                                 {columns::link_angle[1][0], "Wrist, first angle"_text},
+                                 {columns::link_angle[1][1], "Wrist, second angle"_text}}
+            : std::vector<Shown>{{columns::target_force_N, "Target force"_text},
+                                 {columns::actual_force_N, "Patient force"_text}};
     std::vector<Shown> shown;
     std::vector<QString> heads{html("Time [s]"_text)};
     for (const auto& one : wanted) {

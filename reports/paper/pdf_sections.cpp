@@ -22,6 +22,11 @@ constexpr double kTrendGap = 2.5;
 constexpr double kTrendHeight = 88.0;
 constexpr double kForceHeight = 118.0;
 constexpr double kPoseHeight = 180.0;
+
+/// Drawn over the whole width, three axes below each other.
+bool has_three_axes(const TaskSection& section) {
+  return is_of_arm(section) && section.spec->kind->curve == nullptr;
+}
 constexpr double kFingersHeight = 170.0;
 constexpr double kExtremeHeight = 100.0;
 const TextStyle kTrend{6.6, false, Palette::quiet()};
@@ -161,8 +166,9 @@ class SectionLayout {
       height_ += kPoseHeight;
       if (has_fingers(section_)) add_fingers(beside);
     } else {
-      add_overlay(x_, height_, QSizeF(width(), kForceHeight));
-      height_ += kForceHeight;
+      const double height = has_three_axes(section_) ? kPoseHeight : kForceHeight;
+      add_overlay(x_, height_, QSizeF(width(), height));
+      height_ += height;
     }
     if (const auto results = said(last_trial_results(section_)); !results.isEmpty())
       height_ += 3.0 + add_text(x_, height_ + 3.0, width(), results, kQuiet);

@@ -82,6 +82,14 @@ struct ErrorBand {
 [[nodiscard]] PlotView overlay_plot(const TaskSection& section, const DrawnTrial& trial,
                                     QSizeF size, double unit, const Language& language = kEnglish);
 
+/// True if the task is one of an arm seen by markers.
+[[nodiscard]] bool is_of_arm(const TaskSection& section);
+/// Distance and angle from object to reference and the turns of the links against time, or the
+/// angle that the task is about. overlay_plot() draws it for such a section. @pre
+/// is_of_arm(section)
+[[nodiscard]] PlotView arm_plot(const TaskSection& section, const DrawnTrial& trial, QSizeF size,
+                                double unit, const Language& language = kEnglish);
+
 /// True if finger forces of the last trial are there.
 [[nodiscard]] bool has_fingers(const TaskSection& section);
 /// Normal and tangential forces of the fingers against time, in the contact frames: to be read with

@@ -40,8 +40,9 @@ struct ApparatusInfo {
 
 /// What a session asks for before the work, in this order.
 enum class PreparationStep : std::uint8_t {
-  zero,  ///< instrument zero of the empty device
-  rest   ///< the hand at rest in it
+  zero,          ///< instrument zero of the empty device
+  rest,          ///< the hand at rest in it
+  start_posture  ///< the arm, held still
 };
 
 /// How a frame was received.

@@ -5,6 +5,7 @@
 // put(column, value).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <string>
@@ -20,8 +21,18 @@ namespace isograsp::session {
 /// One row: the values of all groups, one after the other.
 class TrialRow {
  public:
-  /// A task with an object has 102 columns; a test fails where a new one finds no room.
-  static constexpr std::size_t kMostColumns = 112;
+  /// A task with an object has 102 columns, an arm with 58 markers 255; a test fails where a new
+  /// one finds no room.
+  static constexpr std::size_t kMostColumns = 256;
+
+  TrialRow() = default;
+  /// Only what is there is copied.
+  TrialRow(const TrialRow& other) noexcept { *this = other; }
+  TrialRow& operator=(const TrialRow& other) noexcept {
+    size_ = other.size_;
+    std::copy_n(other.values_.begin(), size_, values_.begin());
+    return *this;
+  }
 
   [[nodiscard]] std::span<const double> values() const noexcept { return {values_.data(), size_}; }
   void clear() noexcept { size_ = 0; }

@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "session/acquisition/json_object.hpp"
+
 namespace isograsp::session {
 
 namespace {
@@ -21,33 +23,15 @@ constexpr std::array<Counter, 11> kCounters{{{"good", &SensorCounters::good},
                                              {"status_errors", &SensorCounters::status_errors},
                                              {"restarts", &SensorCounters::restarts}}};
 
-/// None of the words needs an escape.
-std::string quoted(std::string_view word) {
-  return "\"" + std::string(word) + "\"";
-}
-
-/// Collects `"key": value`, the values as JSON.
-class Object {
- public:
-  void add(std::string_view key, const std::string& value) {
-    text_ += (text_.empty() ? "" : ", ") + quoted(key) + ": " + value;
-  }
-  void add(std::string_view key, std::uint64_t value) { add(key, std::to_string(value)); }
-  [[nodiscard]] std::string text() const { return "{" + text_ + "}"; }
-
- private:
-  std::string text_;
-};
-
 }  // namespace
 
 std::string as_json(const DeviceHealth& health) {
-  Object json;
+  JsonObject json;
   json.add("state", quoted(name_of(health.state)));
   json.add("fault", quoted(name_of(health.fault)));
   json.add("fault_finger", health.finger ? quoted(name_of(*health.finger)) : "null");
   for (std::size_t f = 0; f < kFingerCount; ++f) {
-    Object sensor;
+    JsonObject sensor;
     for (const auto& [name, counter] : kCounters) sensor.add(name, health.sensors[f].*counter);
     json.add(kFingerNames[f], sensor.text());
   }

@@ -7,7 +7,7 @@ namespace isograsp::session {
 
 namespace {
 
-constexpr int kZeroAttempts = 3;
+constexpr int kPreparations = 3;
 constexpr int kTrialAttempts = 2;  ///< a trial that a fault interrupted is repeated once
 /// The hand leaves the device and its sensors settle (filter and hold of well under a second).
 constexpr double kSettle_s = 1.0;
@@ -27,7 +27,8 @@ class Run {
       report(act->words());
       switch (act->kind) {
         case ProtocolWalk::Act::Kind::instrument_zero:
-          if (auto done = zero(); !done) return done.error();
+        case ProtocolWalk::Act::Kind::start_posture:
+          if (auto done = prepare(act->kind); !done) return done.error();
           walk.done(now_s());
           break;
         case ProtocolWalk::Act::Kind::pause:
@@ -64,10 +65,15 @@ class Run {
     return {};
   }
 
-  Result<void> zero() {
+  Result<void> prepare(ProtocolWalk::Act::Kind kind) {
+    const bool zero = kind == ProtocolWalk::Act::Kind::instrument_zero;
+    if (!session_.known().asks_for(zero ? PreparationStep::zero : PreparationStep::start_posture))
+      return refused(zero ? "this device has no instrument zero"_text
+                          : "this device has no start posture"_text,
+                     "use a protocol that is made for it"_text);
     Text reason;
     Text remedy;
-    for (int attempt = 0; attempt < kZeroAttempts; ++attempt) {
+    for (int attempt = 0; attempt < kPreparations; ++attempt) {
       ZeroRequest request;
       request.device_is_empty = true;  // starting a session without a window confirms it
       request.settle_s = kSettle_s;
@@ -87,6 +93,9 @@ class Run {
                      : Text();
       }
     }
+    if (!zero)
+      return failed("there is no start posture: %1"_text(reason),
+                    "check markers and cameras, and run the protocol again"_text);
     return failed("the instrument zero was refused: %1"_text(reason), remedy);
   }
 

@@ -5,9 +5,21 @@
 
 namespace isograsp::session {
 
+namespace {
+
+/// @pre step.prepares()
+ProtocolWalk::Act::Kind kind_of(const tasks::ProtocolStep& step) noexcept {
+  return step.kind == tasks::ProtocolStep::Kind::instrument_zero
+             ? ProtocolWalk::Act::Kind::instrument_zero
+             : ProtocolWalk::Act::Kind::start_posture;
+}
+
+}  // namespace
+
 Text ProtocolWalk::Act::words() const {
   switch (kind) {
     case Kind::instrument_zero: return "Instrument zero"_text;
+    case Kind::start_posture: return "Start posture"_text;
     case Kind::pause: return "Pause"_text;
     case Kind::trial: break;
   }
@@ -27,13 +39,13 @@ ProtocolWalk::ProtocolWalk(const ReadyProtocol& protocol, const EarlierWork& ear
 void ProtocolWalk::plan_set_up() {
   const auto next = agenda_.next();
   if (!next) return;
-  bool zeroed = false;
+  bool prepared = false;
   for (std::size_t i = 0; i < next->step; ++i) {
     Act act;
     act.step = i;
-    if (protocol_.spec.steps[i].kind == tasks::ProtocolStep::Kind::instrument_zero && !zeroed) {
-      zeroed = true;
-      act.kind = Act::Kind::instrument_zero;
+    if (protocol_.spec.steps[i].prepares() && !prepared) {
+      prepared = true;
+      act.kind = kind_of(protocol_.spec.steps[i]);
       set_up_.push_back(act);
     }
     for (const tasks::TaskSpec& spec : protocol_.tasks[i]) {
@@ -54,7 +66,8 @@ std::optional<ProtocolWalk::Act> ProtocolWalk::next() const {
   act.step = item->step;
   act.not_before_s = item->not_before_s;
   switch (step.kind) {
-    case tasks::ProtocolStep::Kind::instrument_zero: act.kind = Act::Kind::instrument_zero; break;
+    case tasks::ProtocolStep::Kind::instrument_zero:
+    case tasks::ProtocolStep::Kind::start_posture: act.kind = kind_of(step); break;
     case tasks::ProtocolStep::Kind::pause:
       act.kind = Act::Kind::pause;
       act.duration_s = step.duration_s;

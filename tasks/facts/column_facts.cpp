@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "hand/columns.hpp"
+#include "hand/arm_columns.hpp"
 
 namespace isograsp::tasks {
 
@@ -33,6 +33,9 @@ std::optional<BodyColumn> split_column(std::string_view name,
 
 /// Of a column in a group of what cameras see.
 std::optional<ColumnFacts> describe_seen(std::string_view name, std::string_view group) {
+  constexpr std::array<std::string_view, 4> kAttitude{"qw", "qx", "qy", "qz"};
+  if (group == kMarkerGroup && name.starts_with(columns::kMarker))
+    name.remove_prefix(columns::kMarker.size());
   const auto facts = [name](const BodyColumn& column, const Text& words, const char* axes) {
     return ColumnFacts{std::string(unit_of(name)), words,       axes,
                        column.component,           column.body, true};
@@ -46,11 +49,13 @@ std::optional<ColumnFacts> describe_seen(std::string_view name, std::string_view
               ? "Position of the marker %1 along %2"_text(column->body, column->component)
               : "Position of the segment %1 along %2"_text(Known{column->body}, column->component),
           "cameras");
-    if (const auto column = split_column(name, columns::kQuaternion, ""); column && !marker)
+    if (auto column = split_column(name, kAttitude, ""); column && !marker) {
+      const std::string letter = column->component.substr(1);
+      column->component = "quat_" + letter;
       return facts(*column,
-                   "Attitude of the segment %1, quaternion %2"_text(
-                       Known{column->body}, column->component.substr(sizeof "quat_" - 1)),
+                   "Attitude of the segment %1, quaternion %2"_text(Known{column->body}, letter),
                    "cameras");
+    }
   }
   if (group == kLinkGroup)
     if (const auto column = split_column(name, columns::kXyz, "_rad"))

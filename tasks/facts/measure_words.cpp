@@ -164,6 +164,22 @@ constexpr std::array kEntries{
     Entry{"tilt_in_transport", "Tilt in transport"_text, Better::lower},
     Entry{"path_length", "Path length"_text, Better::unknown},
     Entry{"path_efficiency", "Directness of the path"_text, Better::higher},
+    // Turning a real object with the arm.
+    Entry{"movement_time", "Time of the movement"_text, Better::lower, Use::clinical,
+          Time::censored},
+    Entry{"recognition_time", "Time until the object turns"_text, Better::unknown, Use::research},
+    Entry{"position_error", "Error of the place"_text, Better::lower, Use::clinical,
+          Time::censored},
+    Entry{"angle_error", "Error of the turn"_text, Better::lower, Use::clinical, Time::censored},
+    Entry{"active_range", "Active range"_text, Better::higher},
+    Entry{"least_angle", "Least angle"_text, Better::unknown},
+    Entry{"largest_angle", "Largest angle"_text, Better::unknown},
+    Entry{"rotation", "Turn"_text, Better::unknown, Use::research},
+    Entry{"relative_rotation", "Share of its turn when the forearm has 63 %"_text, Better::unknown,
+          Use::research},
+    Entry{"rotation_t10", "Time to 10 % of its turn"_text, Better::unknown, Use::research},
+    Entry{"rotation_t63", "Time to 63 % of its turn"_text, Better::unknown, Use::research},
+    Entry{"seen", "Time in sight of the cameras"_text, Better::unknown},
     Entry{"contact_time", "Time in contact"_text, Better::unknown},
     Entry{"slip", "Slip"_text, Better::lower},
     Entry{"drops", "Drops"_text, Better::lower},
@@ -187,32 +203,41 @@ constexpr std::array kEntries{
 /// bounded, or are logarithms already. Counts and shares of time are often 0: an error proportional
 /// to the mean would vanish there, and 0 has no logarithm. Also all measures that are best near
 /// zero and may be negative.
-constexpr std::array<std::string_view, 15> kSteadyErrors{
-    "time_in_range",         "time_in_corridor",
-    "individuation_index",   "projection_ratio",
-    "path_efficiency",       "targets_reached",
-    "synergy_index",         "synergy_index_z",
-    "grip_load_correlation", "pauses",
-    "anticipations",         "drops",
-    "net_push_time",         "slip",
-    "grips_missed"};
+constexpr std::array<std::string_view, 16> kSteadyErrors{"seen",
+                                                         "time_in_range",
+                                                         "time_in_corridor",
+                                                         "individuation_index",
+                                                         "projection_ratio",
+                                                         "path_efficiency",
+                                                         "targets_reached",
+                                                         "synergy_index",
+                                                         "synergy_index_z",
+                                                         "grip_load_correlation",
+                                                         "pauses",
+                                                         "anticipations",
+                                                         "drops",
+                                                         "net_push_time",
+                                                         "slip",
+                                                         "grips_missed"};
 
 /// Differences of logarithms, correlations and shares with a sign: their scale does not end at
 /// zero. A measure that is best near zero is judged by its distance from zero, whose scale does.
-constexpr std::array<std::string_view, 5> kBelowZero{"individuation_index", "projection_ratio",
-                                                     "synergy_index", "synergy_index_z",
-                                                     "grip_load_correlation"};
+constexpr std::array<std::string_view, 7> kBelowZero{
+    "least_angle",   "largest_angle",   "individuation_index",  "projection_ratio",
+    "synergy_index", "synergy_index_z", "grip_load_correlation"};
 
 /// Channels that need no word: the only one of their measure, or the one that is usual.
-constexpr std::array<std::string_view, 10> kPlainChannels{
-    "force", "grip",    "platform", "digits",    "position",
-    "angle", "targets", "contact",  "transport", ""};
+constexpr std::array<std::string_view, 11> kPlainChannels{
+    "force",   "grip",    "platform",  "digits", "position", "angle",
+    "targets", "contact", "transport", "object", ""};
 /// Parts of a force target; turns of an object.
 constexpr std::pair<std::string_view, Words> kParts[] = {
     {"rx", ", turn about x"_text},        {"ry", ", turn about y"_text},
     {"rz", ", turn about z"_text},        {"force_rise", ", building up"_text},
     {"force_hold", ", holding"_text},     {"force_fall", ", letting down"_text},
-    {"force_rate", " of the force"_text}, {"opening", ", opening"_text}};
+    {"force_rate", " of the force"_text}, {"opening", ", opening"_text},
+    {"forearm", ", forearm"_text},        {"wrist", ", wrist"_text},
+    {"fingers", ", fingers"_text}};
 
 Words digits_words(Digits digits) {
   switch (digits) {

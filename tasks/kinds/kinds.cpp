@@ -3,6 +3,8 @@
 // kind by this row and by nothing else.
 #include <array>
 
+#include "tasks/kinds/arm/active_range.hpp"
+#include "tasks/kinds/arm/pose_matching.hpp"
 #include "tasks/kinds/force/directional_maxima.hpp"
 #include "tasks/kinds/force/fatigue.hpp"
 #include "tasks/kinds/force/force_direction.hpp"
@@ -42,6 +44,8 @@ constexpr std::array kKinds{
     &ForceDirectionSpec::kFacts,
     &PoseTrackingSpec::kFacts,
     &PickPlaceSpec::kFacts,
+    &ActiveRangeSpec::kFacts,
+    &PoseMatchingSpec::kFacts,
     &RecordedSpec::kFacts,
 };
 // clang-format on

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "kinematics/smoothness.hpp"
+#include "kinematics/measures/smoothness.hpp"
 
 namespace isograsp::tasks {
 

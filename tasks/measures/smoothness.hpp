@@ -14,7 +14,7 @@ namespace isograsp::tasks {
 /// left away as in a speed, so that letting go counts like gripping.
 [[nodiscard]] statistics::UniformSamples rate_of(const statistics::UniformSamples& force);
 
-/// Spectral arc length, version 1 (spectral_arc_length(), kinematics/smoothness.hpp).
+/// Spectral arc length, version 1 (spectral_arc_length(), kinematics/measures/smoothness.hpp).
 /// @pre speed is never negative
 [[nodiscard]] statistics::Computed sparc(const statistics::UniformSamples& speed);
 

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // devices, monitor, record, decode and emulate as a user calls them, where no CAN bus is needed.
-#include <arpa/inet.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <sys/socket.h>
-#include <unistd.h>
 
 #include "tests/support/command.hpp"
+#include "tests/support/free_port.hpp"
 #include "tests/support/within.hpp"
 
 namespace isograsp::app::device_commands_test {
@@ -209,23 +207,10 @@ TEST(DeviceCommands, AnErrorIsOneLineWithAPlaceAndARemedyAndNothingIsWritten) {
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 
-/// A TCP port of this computer that nobody has.
-int free_port() {
-  const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
-  sockaddr_in at{};
-  at.sin_family = AF_INET;
-  at.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t size = sizeof at;
-  EXPECT_EQ(::bind(socket, reinterpret_cast<sockaddr*>(&at), size), 0);
-  EXPECT_EQ(::getsockname(socket, reinterpret_cast<sockaddr*>(&at), &size), 0);
-  ::close(socket);
-  return ntohs(at.sin_port);
-}
-
 TEST(DeviceCommands, EmulatedCamerasWaitForAClientUntilTimeIsUp) {
   for (const std::string protocol : {"qtm-rt", "natnet"}) {
     const auto emulated = isograsp("emulate --protocol " + protocol +
-                                   " --on 127.0.0.1:" + std::to_string(free_port()) +
+                                   " --on 127.0.0.1:" + std::to_string(test::free_port()) +
                                    " --duration 0.05 --json --play " + kArm);
     ASSERT_EQ(emulated.status, 0) << emulated.err;
     const auto report = nlohmann::json::parse(emulated.out);

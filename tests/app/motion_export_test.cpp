@@ -55,7 +55,7 @@ class MotionExport : public testing::Test {
     trial.references = {{"angle_tolerance_deg", 8.0}};
     trial.groups = {{"task", {"t_s", "phase"}}, {"arm", {}}, {"markers", {}}};
     for (const std::string& role : kRoles)
-      for (const char* end : {"_x_m", "_y_m", "_z_m", "_quat_w", "_quat_x", "_quat_y", "_quat_z"})
+      for (const char* end : {"_x_m", "_y_m", "_z_m", "_qw", "_qx", "_qy", "_qz"})
         trial.groups[1].columns.push_back(role + end);
     for (const char* marker : {"F1", "=F2"})
       for (const char* end : {"_x_m", "_y_m", "_z_m"})
@@ -124,7 +124,7 @@ TEST_F(MotionExport, BidsCallsSegmentsAndMarkersMotionAndCountsWhatIsTracked) {
   }
   EXPECT_EQ(type["t_s"], "n/a LATENCY n/a s n/a");
   EXPECT_EQ(type["forearm_x_m"], "x POS forearm m cameras");
-  EXPECT_EQ(type["forearm_quat_w"], "quat_w ORNT forearm n/a cameras");
+  EXPECT_EQ(type["forearm_qw"], "quat_w ORNT forearm n/a cameras");
   EXPECT_EQ(type["F1_z_m"], "z POS F1 m cameras");
   EXPECT_EQ(type["'=F2_x_m"], "x POS '=F2 m cameras") << "no formula";
   EXPECT_EQ(type["elbow_forearm_x_rad"], "x JNTANG elbow_forearm rad link");
@@ -160,9 +160,9 @@ TEST_F(MotionExport, ATableHasPosesMarkersAndHowFarEachLinkHasTurned) {
   const Json sidecar = Json::parse(test::read_file(stem + ".json"));
   std::map<std::string, Json> column;
   for (const Json& one : test::every(sidecar["columns"])) column[one["name"]] = one;
-  EXPECT_EQ(column["dorsum_quat_y"]["group"], "arm");
-  EXPECT_EQ(column["dorsum_quat_y"]["axes"], "cameras");
-  EXPECT_EQ(column["dorsum_quat_y"]["description"], "Attitude of the segment dorsum, quaternion y");
+  EXPECT_EQ(column["dorsum_qy"]["group"], "arm");
+  EXPECT_EQ(column["dorsum_qy"]["axes"], "cameras");
+  EXPECT_EQ(column["dorsum_qy"]["description"], "Attitude of the segment dorsum, quaternion y");
   EXPECT_EQ(column["F1_y_m"]["description"], "Position of the marker F1 along y");
   EXPECT_EQ(column["dorsum_object_z_rad"]["group"], "angles");
   EXPECT_EQ(sidecar["trial"]["angle_tolerance_deg"], 8.0) << "what it was given, by name";

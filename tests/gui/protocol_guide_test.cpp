@@ -35,7 +35,8 @@ std::vector<std::string> follow(ProtocolGuide& guide) {
   while (const auto act = guide.act()) {
     now_s += guide.wait_s(now_s) + 1.0;
     switch (act->kind) {
-      case Kind::instrument_zero: guide.zeroed(now_s); break;
+      case Kind::instrument_zero:
+      case Kind::start_posture: guide.zeroed(now_s); break;
       case Kind::pause: guide.tick(now_s + act->duration_s); break;
       case Kind::trial: guide.trial_ended(outcome_of(*act), now_s); break;
     }

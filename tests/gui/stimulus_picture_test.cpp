@@ -3,7 +3,6 @@
 // values that stand behind a switch that is off change nothing.
 #include <QImage>
 #include <QPainter>
-#include <filesystem>
 #include <functional>
 
 #include <gtest/gtest.h>
@@ -15,6 +14,7 @@
 #include "session/demonstration.hpp"
 #include "session/library/library.hpp"
 #include "tests/support/every.hpp"
+#include "tests/support/platform_tasks.hpp"
 
 namespace isograsp::gui::stimulus_picture_test {
 namespace {
@@ -33,10 +33,8 @@ QImage painted(const PatientPicture& picture) {
 /// Calls `look` with the facts of some frames of each task of the library.
 void in_every_task(const std::function<void(PatientFacts, const std::string&)>& look) {
   gui::test::application();
-  for (const auto& entry :
-       isograsp::test::every(std::filesystem::directory_iterator(kLibrary + "/tasks"))) {
-    if (entry.path().extension() != ".toml") continue;
-    const tasks::TaskSpec spec = session::load_task(entry.path()).value();
+  for (const tasks::TaskSpec& spec :
+       isograsp::test::every(isograsp::test::platform_tasks(kLibrary))) {
     const auto shown = session::demonstrate(spec, {}, Hand::right, kLibrary).value();
     const auto preview =
         std::make_shared<TargetPreview>(preview_target(*shown.task, shown.context));

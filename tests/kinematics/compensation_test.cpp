@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinematics/compensation.hpp"
+#include "kinematics/measures/compensation.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinematics/coupling.hpp"
+#include "kinematics/measures/coupling.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinematics/drinking.hpp"
+#include "kinematics/measures/drinking.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "kinematics/zero_phase.hpp"
+#include "kinematics/measures/zero_phase.hpp"
 #include "tests/kinematics/support.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/within.hpp"

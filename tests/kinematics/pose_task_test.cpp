@@ -155,6 +155,36 @@ TEST(PoseTask, AStepAllocatesNothing) {
   EXPECT_EQ(ended, 3);
 }
 
+TEST(PoseTask, IsWrittenAsItWasRead) {
+  const auto task =
+      must(parse_pose_task(must(read_text(golden("task_plain_task.toml"))), "t.toml"));
+  const std::string text = pose_task_text(task);
+  const auto again = must(parse_pose_task(text, "again.toml"));
+  EXPECT_EQ(pose_task_text(must(parse_pose_task(pose_task_text(again), "third.toml"))),
+            pose_task_text(again));
+  EXPECT_EQ(again.targets, task.targets);
+  EXPECT_EQ(again.references[1].X_WR.p, task.references[1].X_WR.p);
+  EXPECT_EQ(again.references[1].X_WR.q.coeffs(), task.references[1].X_WR.q.coeffs());
+}
+
+TEST(PoseTask, ItsClockBeginsWithTheFirstCueAndStandsStillInAGap) {
+  PoseTask task;
+  task.references = {{"far", {Vec3::UnitX(), Quat::Identity()}}};
+  task.targets = {0};
+  task.position_tolerance_m = task.angle_tolerance_rad = 0.1;
+  task.time_limit_s = 100.0;
+  PoseTaskRun run(task);
+  const Pose here{Vec3::Zero(), Quat::Identity()};
+  constexpr double kRounding_s = 1e-12;
+  EXPECT_EQ(run.clock_s(3.0), 0.0);
+  static_cast<void>(run.step(2.0, missing_pose()));
+  EXPECT_FALSE(run.started());
+  static_cast<void>(run.step(3.0, here));
+  static_cast<void>(run.step(4.0, here));
+  EXPECT_WITHIN(run.clock_s(4.0), 0.05, kRounding_s) << "a second passed, 50 ms of it counted";
+  EXPECT_WITHIN(run.sought_s(4.0), 0.05, kRounding_s);
+}
+
 TEST(PoseTask, AFileThatIsWrongIsRefusedWithItsLine) {
   const std::string good = must(read_text(golden("task_plain_task.toml")));
   const auto with = [&good](const std::string& part, const std::string& instead) {

@@ -59,6 +59,48 @@ TEST(Postures, TheReferenceSubjectGetsHisOwnPosesBack) {
   }
 }
 
+TEST(Postures, PartOfTheWayBeginsAtTheInitialOneAndEndsAtTheNamedOne) {
+  const Postures library = golden_postures();
+  constexpr double kRounding = 1e-12;
+  const auto expect_same = [](const Pose& a, const Pose& b) {
+    EXPECT_WITHIN((a.p - b.p).norm(), 0.0, kRounding);
+    EXPECT_WITHIN(angle_between(a.q, b.q), 0.0, kRounding);
+  };
+  const Postures none = part_of_the_way(library, 0.0);
+  const Postures half = part_of_the_way(library, 0.5);
+  const Postures all = part_of_the_way(library, 1.0);
+  for (std::size_t j = 0; j < library.postures.size(); ++j)
+    for (std::size_t l = 0; l < library.postures[j].X_L.size(); ++l) {
+      const Pose& initial = library.postures[0].X_L[l];
+      expect_same(none.postures[j].X_L[l], initial);
+      expect_same(all.postures[j].X_L[l], library.postures[j].X_L[l]);
+      // Half of the way twice is the whole way: the change is one turn and one shift.
+      const Pose change = compose(inverse(initial), half.postures[j].X_L[l]);
+      EXPECT_WITHIN(2.0 * rotation_vector(change.q).norm(),
+                    angle_between(initial.q, library.postures[j].X_L[l].q), kRounding);
+    }
+}
+
+TEST(Postures, AStartPostureThatMovesSaysSo) {
+  StartPostureMean mean(2);
+  EXPECT_TRUE(is_missing(Vec3::Constant(mean.largest_sd_m())));
+  Random random(3);
+  std::vector<double> z_m;
+  for (int k = 0; k < 200; ++k) {
+    const double offset_m = 0.002 * random.gaussian();
+    z_m.push_back(offset_m);
+    mean.add(std::array{Pose{Vec3(5.0, 1.0, -2.0), Quat::Identity()},
+                        Pose{Vec3(5.0, 1.1, -2.0 + offset_m), Quat::Identity()}});
+    mean.add(std::array{Pose{Vec3(5.0, 1.0, -2.0), Quat::Identity()}, missing_pose()});
+  }
+  EXPECT_EQ(mean.rows(), 200u) << "a row without one of the frames does not count";
+  double sum = 0.0, squares = 0.0;
+  for (const double z : z_m) sum += z;
+  for (const double z : z_m) squares += (z - sum / 200.0) * (z - sum / 200.0);
+  constexpr double kRounding_m = 1e-9;
+  EXPECT_WITHIN(mean.largest_sd_m(), std::sqrt(squares / 199.0), kRounding_m);
+}
+
 TEST(Postures, AreWrittenAsTheyWereRead) {
   const Postures library = golden_postures();
   const std::string text = postures_text(library);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinematics/smoothness.hpp"
+#include "kinematics/measures/smoothness.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinematics/zero_phase.hpp"
+#include "kinematics/measures/zero_phase.hpp"
 
 #include <algorithm>
 #include <cmath>

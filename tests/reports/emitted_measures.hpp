@@ -12,6 +12,7 @@
 
 #include "core/signals.hpp"
 #include "session/library/library.hpp"
+#include "tasks/kinds/arm/pose_matching.hpp"
 #include "tasks/kinds/force/directional_maxima.hpp"
 #include "tasks/kinds/force/fatigue.hpp"
 #include "tasks/kinds/force/force_direction.hpp"
@@ -132,6 +133,10 @@ inline Signals still_hand(const tasks::TaskSpec& spec) {
       names.push_back(std::string(name_of(finger)) + axis);
       names.push_back("target_" + std::string(name_of(finger)) + axis);
     }
+  const Pose here{Vec3::Zero(), Quat::Identity()};
+  if (const auto* matching = spec.kind.get_if<tasks::PoseMatchingSpec>())
+    for (const std::string& name : matching->sequence)
+      context.references_of_poses.push_back({name, here});
   Signals signals(names);
   auto task = tasks::make_task(spec, context);
   if (!task) {
@@ -139,7 +144,9 @@ inline Signals still_hand(const tasks::TaskSpec& spec) {
     return signals;
   }
   for (int k = 0;; ++k) {
-    const tasks::TaskView view = (*task)->step({});
+    const tasks::TaskView view = spec.apparatus() == "arm"
+                                     ? (*task)->step(tasks::ArmInput{k * context.period_s, here})
+                                     : (*task)->step({});
     if (view.phase == tasks::Phase::done) return signals;
     std::vector<double> row{
         k * context.period_s,

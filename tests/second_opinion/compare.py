@@ -22,7 +22,7 @@ import scorer
 import sessions
 from record import read_columns
 from task import Task
-from variations import VARIATIONS, vary, write_columns
+from variations import variations_of, vary, write_columns
 
 # Sums of up to 12,000 terms in another order differ by some 1e-13; 1e-9 leaves room for differences of nearly equal
 # numbers and is far below anything that a device resolves.
@@ -30,10 +30,11 @@ TOLERANCE = 1e-9
 # The peak of a correlation is found from differences of its values, of 1e-6 and less for slow targets: their
 # rounding moves it by some 1e-11 s. A nanosecond is a ten-millionth of a step.
 LAG_TOLERANCE_S = 1e-9
-# A mean of errors that cancel, or a phase near 0, is known in relation to what was added up.
+# A mean of errors that cancel, a phase near 0, a turn from a pose to itself is known in relation to what was added up.
 ABSOLUTE = {"constant_error": 1e-13, "phase": 1e-12, "phase_lag": 1e-12, "fall": 1e-11, "resting_force": 1e-14,
-            "fatigue_slope": 1e-12}
-NOT_READ = ("_counts", "_flexion_N", "_radial_N", "_distal_N", "ness_s", "compute_s")  # no measure uses them
+            "fatigue_slope": 1e-12, "rotation": 1e-15}
+# No measure uses them.
+NOT_READ = ("_counts", "_flexion_N", "_radial_N", "_distal_N", "ness_s", "compute_s", "_residual_m", "_state")
 NOT_COMPARED = (
     "units and the words of reasons: compared are value or none, the value, samples, excluded and the version",)
 
@@ -101,12 +102,12 @@ class Program:
         return json.loads(self(*words))["measures"]
 
 
-def make_session(program, folder, name, patient, seed, hand, tasks):
+def make_session(program, folder, name, device, hand, tasks):
     """Runs and exports one session: base paths of its trials."""
     folder = folder / name
     folder.mkdir()
     protocol, database = sessions.write_protocol(folder, name, tasks), folder / "clinic.db"
-    program("run", "--protocol-file", protocol, "--device", f"sim://{patient}?seed={seed}", "--db", database,
+    program("run", "--protocol-file", protocol, "--device", device, "--db", database,
             "--patient", "OPINION-1", "--hand", hand, "--fast")
     program("export", "--db", database, "--format", "csv", "--out", folder / "export")
     found = sorted((folder / "export").glob("patient_*/session_*/trial_*_signals.csv"))
@@ -122,15 +123,15 @@ def check_stored(base, name):
     return [compare(label, kind, trial["measures"], base + "_signals.csv", base + "_task.toml")]
 
 
-def check_varied(program, base, folder, seed):
+def check_varied(program, base, name, folder, seed):
     """A trial with damaged signals: the measures that `score` gives, variation by variation."""
     kind, task, found = Task(base + "_task.toml").kind, base + "_task.toml", []
-    columns = {name: values for name, values in read_columns(base + "_signals.csv").items()
-               if not name.endswith(NOT_READ)}
-    for variation in VARIATIONS:
-        signals = folder / f"{variation.__name__}_{seed}.csv"
+    columns = {column: values for column, values in read_columns(base + "_signals.csv").items()
+               if not column.endswith(NOT_READ) and not column.startswith("marker_")}
+    for variation in variations_of(kind):
+        signals = folder / f"{variation.__name__}_{name}_{seed}.csv"
         write_columns(signals, vary(columns, variation, seed))
-        label = f"{variation.__name__} {Path(base).name} {kind}"
+        label = f"{variation.__name__} {name} {Path(base).name} {kind}"
         found.append(compare(label, kind, program.score(signals, task), signals, task))
         signals.unlink()
     return found
@@ -143,7 +144,7 @@ def check_handmade(program, folder, name, columns, text):
     if text:
         task = folder / f"{name}.toml"
         task.write_text(text, encoding="utf-8")
-    kind = "recorded" if text else "without a task"
+    kind = Task(task).kind if text else "without a task"
     return [compare(f"by hand, {name}", kind, program.score(signals, task), signals, task)]
 
 
@@ -153,19 +154,20 @@ def jobs_of(pool, program, folder, seed, refused):
         for name, columns, text in handmade.cases(other):
             yield pool.submit(check_handmade, program, folder, f"{name}_{other}", columns, text)
     made = [(s[0], len(s[-1]), pool.submit(make_session, program, folder, *s)) for s in sessions.sessions(seed)]
-    varied = set()
+    varied, complete = set(), sessions.complete(seed)
     for name, asked, session in made:
         refused[name] = asked - len(session.result())
         for k, base in enumerate(session.result()):
             yield pool.submit(check_stored, base, name)
             kind = Task(base + "_task.toml").kind
-            if name == "everything" and kind not in varied:
-                varied.add(kind)
-                yield pool.submit(check_varied, program, base, folder, seed + k)
+            if name in complete and (name, kind) not in varied:
+                varied.add((name, kind))
+                yield pool.submit(check_varied, program, base, name, folder, seed + k)
 
 
 def main(executable, library, seed=0):
-    unknown = {p.stem for p in (Path(library) / "tasks").glob("*.toml")} - set(sessions.LIBRARY) - set(sessions.NOT_RUN)
+    unknown = {p.stem for p in (Path(library) / "tasks").glob("*.toml")} - set(sessions.NOT_RUN)
+    unknown -= {*sessions.LIBRARY, *sessions.ARM}
     wrong = [f"task {name} of the library is in no session" for name in sorted(unknown)]
     table, valued, refused = defaultdict(lambda: [0, 0, 0, 0.0]), set(), {}
     with tempfile.TemporaryDirectory() as folder, ProcessPoolExecutor(min(2, os.cpu_count() or 1)) as pool:
@@ -183,8 +185,8 @@ def main(executable, library, seed=0):
     for name, count in refused.items():
         if count:
             print(f"not run: {count} tasks of {name}: refused, the hand is too weak for them")
-    if refused["everything"]:
-        wrong.append(f"{refused['everything']} tasks of the session with everything have no trial")
+    wrong += [f"{refused[name]} tasks of the session {name} have no trial"
+              for name in sessions.complete(int(seed)) if refused[name]]
     for line in NOT_COMPARED:
         print(f"not compared: {line}")
     missing = set(scorer.KINDS) - set(table)

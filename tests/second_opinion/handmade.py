@@ -64,6 +64,90 @@ def uneven(columns, chance):
     return {name: values[kept] for name, values in columns.items()}
 
 
+def turn(axis, angle):
+    """Quaternion (w, x, y, z)."""
+    axis = np.array(axis) / np.linalg.norm(axis)
+    return np.concatenate(([math.cos(angle / 2)], math.sin(angle / 2) * axis))
+
+
+def put(columns, frame, poses):
+    for k, name in enumerate(("x_m", "y_m", "z_m", "qw", "qx", "qy", "qz")):
+        columns[f"{frame}_{name}"] = poses[:, k]
+
+
+def lose(columns, chance, frame, times):
+    """Gaps around 50 ms and 0.1 s, and long ones."""
+    n = len(columns["t_s"])
+    for _ in range(times):
+        first = chance.randrange(n)
+        last = first + chance.choice((1, 2, 4, 5, 6, 7, 10, 11, 12, 30))
+        for name in (c for c in columns if c.startswith(frame + "_")):
+            columns[name][first:last] = np.nan
+
+
+def wandering(chance, n, references):
+    """An object that goes to one reference after the other, at any time, quickly or slowly, and misses it a little."""
+    poses, pose = np.empty((n, 7)), references[0].copy()
+    goal, left, share = pose, 0, 1
+    for k in range(n):
+        if not left:
+            goal = chance.choice(references) + np.array([chance.gauss(0, 0.01) for _ in range(3)] +
+                                                        [chance.gauss(0, 0.05) for _ in range(4)])
+            left, share = chance.randrange(1, 60), chance.choice((1, 0.3, 0.05))
+        pose = pose + share * (goal - pose)
+        pose[3:] /= np.linalg.norm(pose[3:])
+        poses[k] = pose
+        left -= 1
+    return poses
+
+
+def arm(chance):
+    """Columns and task: targets that are reached and lost, by chance, with all borders of the automaton."""
+    n, count = chance.choice((60, 300, 700)), chance.choice((1, 2, 3, 5, 8))
+    t = np.arange(n) / 100
+    if chance.random() < 0.3:
+        t = np.cumsum([chance.choice((0.005, 0.01, 0.01, 0.02, 0.05, 0.051)) for _ in range(n)])
+    references = [np.concatenate(([chance.uniform(-0.2, 0.2) for _ in "xyz"],
+                                  turn([chance.gauss(0, 1) for _ in "xyz"], chance.uniform(0, 1.5))))
+                  for _ in range(chance.choice((1, 2, count)))]
+    index = np.sort([chance.randrange(count) for _ in range(n)])
+    phase = np.array([chance.choice((2, 2, 2, 2, 1, 3, 0)) for _ in range(n)], float)
+    columns = {"t_s": t, "phase": phase, "sample_flags": np.zeros(n), "target_index": index.astype(float)}
+    put(columns, "reference", np.array([references[i % len(references)] for i in index]))
+    put(columns, "object", wandering(chance, n, references))
+    for frame in ("elbow", "forearm", "dorsum"):
+        size, pace, axis = chance.choice((0.02, 0.3, 1, 1.7)), chance.uniform(0.2, 2), chance.choice(np.eye(3) + 0.01)
+        begin = chance.uniform(0, 6)
+        put(columns, frame, np.array([np.concatenate(([0.1, 0, 0], turn(axis, size * math.sin(pace * s + begin))))
+                                      for s in t]))
+    for frame in ("object", "elbow", "forearm", "dorsum"):
+        lose(columns, chance, frame, chance.choice((0, 0, 1, 3, 8)))
+    for _ in range(chance.choice((0, 0, 3))):
+        first = chance.randrange(n)
+        phase[first:first + chance.choice((1, 4, 5, 6, 30))] = 4
+    phase[-1] = chance.choice((2, 5))
+    task = ('format = "isograsp-task-1"\nname = "Made by hand"\ninstruction = "None."\nkind = "pose_matching"\n'
+            f'postures = "screw"\nsequence = [{", ".join(count * [chr(34) + "screw" + chr(34)])}]\n'
+            f"position_tolerance_m = {chance.choice((0.01, 0.03, 0.2))}\n"
+            f"angle_tolerance_deg = {chance.choice((5, 15, 60))}\nhold_s = {chance.choice((0, 0.01, 0.05, 0.1, 0.3))}\n"
+            f"display_s = {chance.choice((0, 0.02, 0.1, 0.5))}\ntime_limit_s = {chance.choice((1, 1.5, 2, 3))}\n")
+    return columns, task
+
+
+def unseen_end():
+    """One target reached after 0.3 s, one sought until the object is lost; the clock stands still 50 ms later."""
+    n, there = 81, turn((1, 0, 0), 0)
+    columns = {"t_s": np.arange(n) / 100, "phase": np.full(n, 2.0), "sample_flags": np.zeros(n),
+               "target_index": (np.arange(n) > 30).astype(float)}
+    put(columns, "reference", np.tile(np.concatenate((np.zeros(3), there)), (n, 1)))
+    put(columns, "object", np.array([np.concatenate(([float(k != 30), 0, 0], there)) for k in range(n)]))
+    for name in (c for c in columns if c.startswith("object_")):
+        columns[name][51:] = np.nan
+    return columns, ('format = "isograsp-task-1"\nname = "Made by hand"\ninstruction = "None."\n'
+                     'kind = "pose_matching"\npostures = "screw"\nsequence = ["screw", "screw"]\n'
+                     "hold_s = 0\ndisplay_s = 0\ntime_limit_s = 1\n")
+
+
 def cases(seed):
     """Name, columns, text of the task (None: without a task)."""
     chance = random.Random(seed)
@@ -75,6 +159,9 @@ def cases(seed):
     yield "corridor", corridor(chance), recorded('measures = "corridor"')
     yield "window", corridor(chance), recorded('measures = "maximum"\nwindow_from_end_rows = [200, 50]')
     yield "tracking", tracking(chance), recorded('measures = "tracking"')
+    for k in range(20):
+        yield f"arm_{k}", *arm(random.Random(f"arm {k} {seed}"))
+    yield "arm_unseen_end", *unseen_end()
     yield "pair", tracking(chance), None
     yield "pair_uneven", uneven(tracking(chance), chance), None
     yield "motion", motion(chance), None

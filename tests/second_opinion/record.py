@@ -112,8 +112,9 @@ class Record:
     def noise(self):
         return self.first_value("noise_sd_N")
 
-    def select(self, phases, columns, first=0, last=None, within=None):
-        """Rows of first … last - 1 in these phases that count. `within`: only rows that are true there."""
+    def select(self, phases, columns, first=0, last=None, within=None, least=1e-60):
+        """Rows of first … last - 1 in these phases that count. `within`: only rows that are true there. `least`: below
+        this a column is too small to compute with."""
         last = self.size if last is None else last
         rows = np.arange(first, last)
         if within is not None:
@@ -124,15 +125,15 @@ class Record:
         for name in columns:
             values = name if isinstance(name, np.ndarray) else self.column(name)
             counts &= ~np.isnan(values[rows])
-        if self.refused or not all(self._computable(name, rows[counts]) for name in columns):
+        if self.refused or not all(self._computable(name, rows[counts], least) for name in columns):
             return Selection(rows[:0], 0)
         return Selection(rows[counts], int(np.sum(~counts) + paused))
 
-    def _computable(self, name, rows):
+    def _computable(self, name, rows, least):
         """Neither so large nor so small that squares and products are no numbers."""
         values = name if isinstance(name, np.ndarray) else self.column(name)
         largest = np.max(np.abs(values[rows]), initial=0)
-        return largest == 0 or 1e-60 <= largest <= 1e60
+        return largest == 0 or least <= largest <= 1e60
 
     def select_part(self, part, columns):
         return self.select([part.phase], columns, part.first, part.last)

@@ -3,6 +3,7 @@
 
 import numpy as np
 
+import arm
 import cues
 import digits
 import handling
@@ -159,6 +160,7 @@ KINDS = {name[len("score_"):]: function for name, function in list(globals().ite
 del KINDS["pieces"]
 KINDS |= {name: getattr(handling, "score_" + name)
           for name in ("pose_targets", "pose_tracking", "pick_place", "observe")}
+KINDS |= {name: getattr(arm, "score_" + name) for name in ("pose_matching", "active_range")}
 KINDS["recorded"] = recorded.score_recorded
 
 

@@ -9,6 +9,8 @@ open_close steady_grip grip_steps let_go let_go_short open_on_cue force_sense fa
 two_target two_target_long two_target_soft two_target_rate two_target_mirrored two_target_training target_series
 knob_turn knob_turn_rate elastic_block lift_weight pose_tracking_x pose_tracking_planar pose_steps pick_place
 free_handling""".split()
+ARM = """arm_familiarisation arm_range_deviation arm_range_flexion arm_range_forearm arm_screw arm_screw_half
+arm_wrist""".split()
 NOT_RUN = {"grip_sine_fixed": "needs maxima of two days; force_tracking is compared in 20 other tasks"}
 ADAPTIVE = ("grip_sine_training", "two_target_training")  # their level stands in [chosen]
 
@@ -48,6 +50,31 @@ OWN = {
                 'position_tolerance_m = 0.03\n[[target]]\nposition_m = [0.02, 0.02, 0.01]\nhold_s = 0.5\n'
                 '[[target]]\nposition_m = [-0.02, 0, 0]\nangle_deg = 20\nhold_s = 0.5\nlevel = true\n',
 }
+POSES = 'kind = "pose_matching"\npostures = "screw"\n'
+OWN_ARM = {
+    "own_arm_flown_through": POSES + 'sequence = ["screw", "initial", "unscrew"]\nrepeats = 2\nhold_s = 0\n'
+                             'display_s = 0\ntime_limit_s = 8\n',
+    # The object is there already, or stays there: entered at the cue.
+    "own_arm_there": POSES + 'sequence = ["initial", "initial", "screw", "screw"]\nhold_s = 0\ndisplay_s = 0.5\n'
+                     'time_limit_s = 8\n',
+    "own_arm_stays": POSES + 'sequence = ["screw", "screw", "initial"]\nhold_s = 0.5\ndisplay_s = 0\n'
+                     'time_limit_s = 6\n',
+    "own_arm_never": POSES + 'sequence = ["screw", "initial"]\nrepeats = 2\nposition_tolerance_m = 0.001\n'
+                     'angle_tolerance_deg = 0.1\nhold_s = 1\ntime_limit_s = 3\n',
+    "own_arm_little": POSES + 'sequence = ["screw", "initial", "unscrew", "initial"]\nway_percent = 10\n'
+                      'position_tolerance_m = 0.01\nangle_tolerance_deg = 5\ndisplay_s = 1\n',
+    # Some are reached only at about the limit, some are not.
+    "own_arm_hurry": POSES + 'sequence = ["unscrew", "initial", "screw", "initial"]\nrepeats = 3\nway_percent = 80\n'
+                     'scale = "length"\nhold_s = 0.5\ndisplay_s = 0.7\ntime_limit_s = 2\n',
+    "own_arm_wide": 'kind = "pose_matching"\npostures = "forearm_and_wrist"\nsequence = ["extension", "flexion"]\n'
+                    'repeats = 2\nscale = "length"\nposition_tolerance_m = 0.05\nangle_tolerance_deg = 30\n'
+                    'hold_s = 1.5\ndisplay_s = 0\n',
+    "own_arm_fingers": 'kind = "active_range"\nlink = "fingers"\nangle = 2\nlead_in_s = 0.5\nduration_s = 6\n'
+                       'repetitions = 2\n',
+    "own_arm_forearm": 'kind = "active_range"\nlink = "forearm"\nangle = 1\nlead_in_s = 1\nduration_s = 1\n'
+                       'repetitions = 1\n',
+}
+OWN |= OWN_ARM
 MAXIMA = ["resting_force", "maximum_grip", "maximum_thumb", "maximum_index", "maximum_middle"]
 # One of each kind; a patient gets some of them.
 CORE = ["grip_sine", "let_go_short", "two_target", "maximum_opening", "grip_trapezoid", "open_on_cue", "pick_place",
@@ -58,18 +85,35 @@ PATIENTS = ["mild", "moderate", "paretic", "severe", "spastic", "opening_loss", 
             "sensory_loss", "inattention", "fatiguing", "submaximal", "slow_wander", "pain_stop"]
 
 
+def of_arm(tasks):
+    """Tasks of an arm, not of the platform."""
+    return tasks[0] in ARM or tasks[0] in OWN_ARM
+
+
 def sessions(seed):
-    """Name, patient, seed, hand, tasks of every session."""
-    yield "everything", "healthy", seed + 7, "right", LIBRARY + list(OWN)
+    """Name, device, hand, tasks of every session. Arm and platform never share one."""
+    arm = ARM + list(OWN_ARM)
+    for k, (patient, hand) in enumerate((p, h) for p in ("healthy", "paretic") for h in ("right", "left")):
+        # Each begins with other tasks: the first one of a kind is the one whose signals are damaged.
+        device = f"sim://arm?patient={patient}&seed={seed + 20 + k}"
+        yield f"arm_{patient}_{hand}", device, hand, arm[4 * k:] + arm[:4 * k]
+    everything = LIBRARY + [task for task in OWN if task not in OWN_ARM]
+    yield "everything", f"sim://healthy?seed={seed + 7}", "right", everything
     step = 4
     for k, patient in enumerate(PATIENTS):
         chosen = [CORE[(step * k + i) % len(CORE)] for i in range(step)]
-        yield patient, patient, seed + 100 + k, "left" if k % 2 else "right", MAXIMA + chosen
+        yield patient, f"sim://{patient}?seed={seed + 100 + k}", "left" if k % 2 else "right", MAXIMA + chosen
+
+
+def complete(seed):
+    """Names of the sessions in which every task has a trial: nobody is too weak for one."""
+    return [name for name, *_, tasks in sessions(seed) if name == "everything" or of_arm(tasks)]
 
 
 def write_protocol(folder, name, tasks):
     """A protocol of these tasks, with the tasks of our own beside it."""
-    lines = ['format = "isograsp-protocol-1"', f'name = "{name}"', "[[step]]", 'kind = "instrument_zero"']
+    first = "start_posture" if of_arm(tasks) else "instrument_zero"
+    lines = ['format = "isograsp-protocol-1"', f'name = "{name}"', "[[step]]", f'kind = "{first}"']
     for task in tasks:
         lines += ["[[step]]", 'kind = "task"', f'task = "{task}.toml"']
         if task in ADAPTIVE:

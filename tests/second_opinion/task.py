@@ -22,6 +22,9 @@ DEFAULTS = {
     "pick_place": {"position_tolerance_m": 0.02, "angle_tolerance_deg": 15, "time_limit_s": 30, "hold_s": 1,
                    "drop_distance_m": 0.02},
     "observe": {},
+    "active_range": {"lead_in_s": 2, "duration_s": 15, "repetitions": 3},
+    "pose_matching": {"repeats": 1, "way_percent": 100, "scale": "none", "position_tolerance_m": 0.015,
+                      "angle_tolerance_deg": 10, "hold_s": 0.3, "display_s": 2, "time_limit_s": 15},
     "recorded": {"beats_per_cycle": 1, "cycles_left_out": 0},
 }
 CLOSED = ("grip", "grip_mean", "sum")  # channels in which all three digits press towards each other

@@ -132,8 +132,112 @@ def held(columns, chance):
         columns["sample_flags"][first:first + 2] = 1
 
 
+FRAMES = ("object", "elbow", "forearm", "dorsum", "reference")
+
+
+def of_frame(columns, frame):
+    ends = ("_x_m", "_y_m", "_z_m", "_qw", "_qx", "_qy", "_qz")
+    return [name for name in columns if name.startswith(frame + "_") and name.endswith(ends)]
+
+
+def hidden(columns, chance, frames, longest):
+    """Frames that are not seen for a while, of one row to so many; sometimes one field alone."""
+    n = len(columns["t_s"])
+    for _ in range(n // 100):
+        first, names = chance.randrange(n), of_frame(columns, chance.choice(frames))
+        for name in names if chance.random() < 0.9 else [chance.choice(names)]:
+            columns[name][first:first + chance.choice((1, 2, 4, 5, 6, 7, longest))] = np.nan
+
+
+def object_hidden(columns, chance):
+    """The object alone: around 50 ms, and long."""
+    hidden(columns, chance, ("object",), 25)
+
+
+def frames_hidden(columns, chance):
+    """Any frame and the reference; angles of the links as well."""
+    hidden(columns, chance, FRAMES, 12)
+    n = len(columns["t_s"])
+    for name in (c for c in columns if c.endswith("_rad")):
+        for _ in range(3):
+            first = chance.randrange(n)
+            columns[name][first:first + chance.choice((1, 5))] = np.nan
+
+
+def seldom_hidden(columns, chance):
+    """Few gaps of links, below and above 0.1 s: some movements keep their measures."""
+    n = len(columns["t_s"])
+    for frame in ("elbow", "forearm", "dorsum", "object"):
+        for length in (8, 9, 10, 11):
+            first = chance.randrange(n)
+            for name in of_frame(columns, frame):
+                columns[name][first:first + length] = np.nan
+
+
+def never_seen(columns, chance):
+    """No pose of the object."""
+    for name in of_frame(columns, "object"):
+        columns[name][:] = np.nan
+
+
+def late_start(columns, chance):
+    """The first poses are missing; time begins at 0.1 s."""
+    for name in of_frame(columns, "object"):
+        columns[name][:37] = np.nan
+    columns["t_s"] += 0.1
+
+
+def fewer_columns(columns, chance):
+    """No flags, no clock of the task, no frames but those of the chain."""
+    gone = [c for c in columns if c.startswith(("brace_", "trunk_"))]
+    for name in gone + ["sample_flags", "task_time_s", "matched", "targets_reached"]:
+        columns.pop(name, None)
+
+
+def no_reference(columns, chance):
+    """Not known to what the object was to be brought, from the second target on."""
+    later = np.nan_to_num(columns.get("target_index", np.zeros(len(columns["t_s"])))) > 0
+    for name in of_frame(columns, "reference"):
+        columns[name][later] = np.nan
+
+
+def no_index(columns, chance):
+    """Not known which target it was, in places."""
+    if "target_index" in columns:
+        n = len(columns["t_s"])
+        for _ in range(5):
+            first = chance.randrange(n)
+            columns["target_index"][first:first + chance.choice((1, 30))] = np.nan
+
+
+def unphased(columns, chance):
+    """No column of phases: all is active."""
+    del columns["phase"]
+
+
+def far_away(columns, chance):
+    """Metres that cannot be squared, angles as well."""
+    for name in columns:
+        if name.endswith(("_m", "_rad")):
+            columns[name] *= 1e100
+
+
+def near_zero(columns, chance):
+    """Metres whose squares are 0, angles as well."""
+    for name in columns:
+        if name.endswith(("_m", "_rad")):
+            columns[name] *= 1e-100
+
+
+ARM_VARIATIONS = (flagged, object_hidden, frames_hidden, seldom_hidden, never_seen, late_start, fewer_columns,
+                  no_reference, no_index, paused, uneven, jittered, cut, at_once, unphased, odd, held, far_away,
+                  near_zero)
 VARIATIONS = (flagged, emptied, paused, uneven, jittered, cut, at_once, bare, odd, held, unknown, displayed, weak,
               fading, huge, tiny)
+
+
+def variations_of(kind):
+    return ARM_VARIATIONS if kind in ("pose_matching", "active_range") else VARIATIONS
 
 
 def vary(columns, variation, seed):

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/demonstration.hpp"
 
-#include <filesystem>
-
 #include <gtest/gtest.h>
 
 #include "session/library/library.hpp"
 #include "tasks/kinds/force/force_tracking.hpp"
 #include "tests/support/every.hpp"
+#include "tests/support/platform_tasks.hpp"
 
 namespace isograsp::session::demonstration_test {
 namespace {
@@ -19,9 +18,7 @@ tasks::TaskSpec task(const std::string& name) {
 }
 
 TEST(Demonstration, OfEveryTaskOfTheLibraryIsDoneByAHealthyHand) {
-  for (const auto& entry : test::every(std::filesystem::directory_iterator(kLibrary + "/tasks"))) {
-    if (entry.path().extension() != ".toml") continue;
-    const tasks::TaskSpec spec = task(entry.path().stem());
+  for (const tasks::TaskSpec& spec : test::every(test::platform_tasks(kLibrary))) {
     const auto shown = demonstrate(spec, {}, Hand::left, kLibrary);
     ASSERT_TRUE(shown.ok()) << spec.name << ": " << shown.error().message();
     EXPECT_GT(static_cast<double>(shown->frames.size()) * shown->period_s, 2.0) << spec.name;
@@ -29,6 +26,10 @@ TEST(Demonstration, OfEveryTaskOfTheLibraryIsDoneByAHealthyHand) {
         << spec.name;
     EXPECT_EQ(shown->scene != nullptr, !spec.scene().empty()) << spec.name;
   }
+}
+
+TEST(Demonstration, WhatAHandOnThePlatformCannotDoIsRefused) {
+  EXPECT_FALSE(demonstrate(task("arm_screw"), {}, Hand::right, kLibrary));
 }
 
 TEST(Demonstration, TheTargetsAreThoseOfThePatient) {

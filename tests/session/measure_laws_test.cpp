@@ -20,6 +20,7 @@
 #include "tasks/score.hpp"
 #include "tests/session/whole_session.hpp"
 #include "tests/support/every.hpp"
+#include "tests/support/platform_tasks.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/within.hpp"
 
@@ -40,10 +41,10 @@ std::string protocol_of_the_whole_library() {
                                        "maximum_thumb", "maximum_index",  "maximum_middle",
                                        "maximum_pinch", "maximum_opening"};
   std::vector<std::string> names = first;
-  for (const auto& entry : fs::directory_iterator(kLibrary + "/tasks"))
-    if (entry.path().extension() == ".toml" &&
-        std::find(first.begin(), first.end(), entry.path().stem()) == first.end())
-      names.push_back(entry.path().stem());
+  for (const tasks::TaskSpec& spec : test::platform_tasks(kLibrary)) {
+    const std::string name = fs::path(spec.file).stem();
+    if (std::find(first.begin(), first.end(), name) == first.end()) names.push_back(name);
+  }
   std::sort(names.begin() + static_cast<std::ptrdiff_t>(first.size()), names.end());
   std::string text =
       "format = \"isograsp-protocol-1\"\nname = \"All\"\n[[step]]\nkind = \"instrument_zero\"\n";

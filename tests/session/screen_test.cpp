@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is on the patient's screen is decided in one place: real and simulated people get the same.
 // What a task hides is not in it.
-#include <filesystem>
 
 #include <gtest/gtest.h>
 
 #include "session/demonstration.hpp"
 #include "session/library/library.hpp"
 #include "tests/support/every.hpp"
+#include "tests/support/platform_tasks.hpp"
 
 namespace isograsp::session::screen_test {
 namespace {
@@ -48,9 +48,7 @@ void expect_hidden(const Snapshot& now, const std::string& of) {
 TEST(Screen, HasNothingThatTheTaskHidesWhateverTaskOfTheLibraryIsDone) {
   test::AtLeast without_force(100);   // frames
   test::AtLeast without_target(100);  // that the task has
-  for (const auto& entry : test::every(std::filesystem::directory_iterator(kLibrary + "/tasks"))) {
-    if (entry.path().extension() != ".toml") continue;
-    const tasks::TaskSpec spec = load_task(entry.path()).value();
+  for (const tasks::TaskSpec& spec : test::every(test::platform_tasks(kLibrary))) {
     const auto shown = demonstrate(spec, {}, Hand::right, kLibrary).value();
     for (const Snapshot& now : test::every(shown.frames)) {
       expect_hidden(now, spec.name);

@@ -182,7 +182,7 @@ class Dynamometer final : public session::Apparatus {
 /// The table of a program that knows it: handle:// beside all others.
 inline const std::vector<session::ApparatusRow>& apparatuses_with_handle() {
   static const std::vector<session::ApparatusRow> kRows = [] {
-    std::vector<session::ApparatusRow> rows{{"handle", "", Dynamometer::open}};
+    std::vector<session::ApparatusRow> rows{{"handle", "", "", Dynamometer::open}};
     for (const auto& row : session::all_apparatuses()) rows.push_back(row);
     return rows;
   }();

@@ -41,8 +41,8 @@ class Observe final : public Task {
   std::int64_t frame_ = 0;
 };
 
-std::unique_ptr<Task> make_observe(const ObserveSpec& spec, const TaskContext& context) {
-  return std::make_unique<Observe>(spec, context);
+Result<std::unique_ptr<Task>> make_observe(const ObserveSpec& spec, const TaskContext& context) {
+  return std::unique_ptr<Task>(std::make_unique<Observe>(spec, context));
 }
 
 KindSpec read_observe(TomlReader& reader) {

@@ -126,8 +126,9 @@ class PickPlace final : public Task {
   int drops_ = 0;
 };
 
-std::unique_ptr<Task> make_pick_place(const PickPlaceSpec& spec, const TaskContext& context) {
-  return std::make_unique<PickPlace>(spec, context);
+Result<std::unique_ptr<Task>> make_pick_place(const PickPlaceSpec& spec,
+                                              const TaskContext& context) {
+  return std::unique_ptr<Task>(std::make_unique<PickPlace>(spec, context));
 }
 
 KindSpec read_pick_place(TomlReader& reader) {

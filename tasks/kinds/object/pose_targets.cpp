@@ -89,8 +89,9 @@ class PoseTargets final : public Task {
   int reached_ = 0;
 };
 
-std::unique_ptr<Task> make_pose_targets(const PoseTargetsSpec& spec, const TaskContext& context) {
-  return std::make_unique<PoseTargets>(spec, context);
+Result<std::unique_ptr<Task>> make_pose_targets(const PoseTargetsSpec& spec,
+                                                const TaskContext& context) {
+  return std::unique_ptr<Task>(std::make_unique<PoseTargets>(spec, context));
 }
 
 KindSpec read_pose_targets(TomlReader& reader) {

@@ -67,8 +67,9 @@ class PoseTracking final : public Task {
   std::vector<Vec6> targets_;  ///< x y z [m], rx ry rz [rad], one per frame of the target
 };
 
-std::unique_ptr<Task> make_pose_tracking(const PoseTrackingSpec& spec, const TaskContext& context) {
-  return std::make_unique<PoseTracking>(spec, context);
+Result<std::unique_ptr<Task>> make_pose_tracking(const PoseTrackingSpec& spec,
+                                                 const TaskContext& context) {
+  return std::unique_ptr<Task>(std::make_unique<PoseTracking>(spec, context));
 }
 
 KindSpec read_pose_tracking(TomlReader& reader) {

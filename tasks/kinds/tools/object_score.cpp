@@ -216,23 +216,20 @@ statistics::Completion completion_of(const Record& record, const Attempt& attemp
   return {tried_s >= limit_s * (1.0 - kRoundingSlack) ? limit_s : tried_s, false};
 }
 
-void add_completions(std::vector<Measure>& measures, const Record& record, const Attempts& attempts,
-                     double limit_s, std::size_t Attempt::*end_row) {
-  Section whole = record.select(kMoving, {});
-  if (!attempts.absent.empty()) whole.reason = attempts.absent;
+void add_target_times(std::vector<Measure>& measures, const Section& whole,
+                      const std::vector<TargetTime>& targets, double limit_s) {
   std::vector<statistics::Completion> completions;
   std::vector<Measure> times;
-  for (std::size_t i = 0; i < attempts.all.size(); ++i) {
-    const Attempt& attempt = attempts.all[i];
-    Section section;
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const TargetTime& target = targets[i];
+    Section rows = target.rows;
     statistics::Computed time_s = 0.0;
-    if (!attempts.absent.empty()) {
-      section.reason = attempts.absent;
-    } else if (!attempt.shown) {
-      section.reason = "the trial ended before this target"_text;
+    if (!whole.reason.empty()) {
+      rows.reason = whole.reason;
+    } else if (!target.completion) {
+      rows.reason = "the trial ended before this target"_text;
     } else {
-      section = record.select(attempt.first_row, attempt.last_row + 1, kMoving, {});
-      completions.push_back(completion_of(record, attempt, attempt.*end_row, limit_s));
+      completions.push_back(*target.completion);
       const statistics::Completion& completion = completions.back();
       if (completion.reached)
         time_s = completion.time_s;
@@ -242,16 +239,32 @@ void add_completions(std::vector<Measure>& measures, const Record& record, const
         time_s = "the trial ended before it was reached"_text;
     }
     times.push_back(
-        make_measure("completion_time", "target_" + std::to_string(i + 1), "s", section, time_s));
+        make_measure("completion_time", "target_" + std::to_string(i + 1), "s", rows, time_s));
   }
   measures.push_back(make_measure("targets_reached", "targets",
-                                  "of " + std::to_string(attempts.all.size()), whole,
+                                  "of " + std::to_string(targets.size()), whole,
                                   static_cast<double>(statistics::reached_of(completions).count)));
   for (Measure& time : times) measures.push_back(std::move(time));
   measures.push_back(make_measure("median_completion_time", "targets", "s", whole,
                                   statistics::median_completion(completions)));
   measures.push_back(make_measure("restricted_mean_time", "targets", "s", whole,
                                   statistics::restricted_mean_time(completions, limit_s)));
+}
+
+void add_completions(std::vector<Measure>& measures, const Record& record, const Attempts& attempts,
+                     double limit_s, std::size_t Attempt::*end_row) {
+  Section whole = record.select(kMoving, {});
+  if (!attempts.absent.empty()) whole.reason = attempts.absent;
+  std::vector<TargetTime> targets;
+  for (const Attempt& attempt : attempts.all) {
+    TargetTime target;
+    if (attempt.shown) {
+      target.rows = record.select(attempt.first_row, attempt.last_row + 1, kMoving, {});
+      target.completion = completion_of(record, attempt, attempt.*end_row, limit_s);
+    }
+    targets.push_back(std::move(target));
+  }
+  add_target_times(measures, whole, targets, limit_s);
 }
 
 }  // namespace isograsp::tasks

@@ -135,6 +135,16 @@ struct Attempts {
 [[nodiscard]] statistics::Completion completion_of(const Record& record, const Attempt& attempt,
                                                    std::size_t end_row, double limit_s);
 
+/// How long one of several targets was tried.
+struct TargetTime {
+  Section rows;                                      ///< in which it was tried
+  std::optional<statistics::Completion> completion;  ///< nothing: it was never shown
+};
+/// "k of n", the time of each, and over all that were shown the Kaplan-Meier median and the
+/// restricted mean time. `whole`: the rows of all, or the reason why nothing is known.
+void add_target_times(std::vector<Measure>& measures, const Section& whole,
+                      const std::vector<TargetTime>& targets, double limit_s);
+
 /// "k of n", the time of each up to the `end_row` of a reached attempt, and over all that were
 /// shown the Kaplan-Meier median and the restricted mean time: a time-out is a time longer than the
 /// limit, not a failure left out.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How much the rest of the body, or the device, moves with a movement of the arm: elbow, trunk and
 // brace of a rig ([score] elbow, trunk, brace). It stands beside the score, never in it. Positions
-// in m, angles in rad, behind the low-pass of kinematics/zero_phase.hpp. Formulas:
+// in m, angles in rad, behind the low-pass of kinematics/measures/zero_phase.hpp. Formulas:
 // docs/measures.md, "Movements of an arm".
 #pragma once
 

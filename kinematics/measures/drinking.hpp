@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The drinking task, from markers: reach for a glass, bring it to the mouth, drink, put it back,
 // bring the hand back. Positions in m, times in s, behind the low-pass of
-// kinematics/zero_phase.hpp. Which definitions are whose, and what markers cannot tell:
+// kinematics/measures/zero_phase.hpp. Which definitions are whose, and what markers cannot tell:
 // docs/measures.md, "Drinking task".
 #pragma once
 

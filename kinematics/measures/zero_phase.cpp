@@ -7,7 +7,7 @@
 // not depend on the frames on either side; a turn at constant rate has components cos and sin of
 // one frequency, which lose the same share, so it stays. Continuation: q_0 q_k^-1 q_0 is the point
 // reflection of q_k at q_0, and the one that a turn at constant rate has.
-#include "kinematics/zero_phase.hpp"
+#include "kinematics/measures/zero_phase.hpp"
 
 #include <algorithm>
 #include <cmath>

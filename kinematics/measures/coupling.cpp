@@ -2,7 +2,7 @@
 // x: r_angle of the forearm, y: that of the link to the object, in the rows that both have:
 //   slope = Sxy / Sxx,   R^2 = Sxy^2 / (Sxx Syy),   Sxy = sum (x - mean x) (y - mean y)
 // margin = min over the own ranges of a link of (angle - min, max - angle); below 0: beyond it
-#include "kinematics/coupling.hpp"
+#include "kinematics/measures/coupling.hpp"
 
 #include <algorithm>
 #include <cmath>

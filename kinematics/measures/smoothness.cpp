@@ -9,7 +9,7 @@
 // sparc and ldlj begin at the first row of the stretch of at least 5 % of the largest speed in
 // which a tenth of the largest distance (angle) from the first row is passed: what trembles before
 // does not count.
-#include "kinematics/smoothness.hpp"
+#include "kinematics/measures/smoothness.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -19,7 +19,7 @@
 #include <utility>
 
 #include "core/fourier.hpp"
-#include "kinematics/zero_phase.hpp"
+#include "kinematics/measures/zero_phase.hpp"
 
 namespace isograsp {
 

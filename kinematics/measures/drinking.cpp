@@ -8,7 +8,7 @@
 //   reaching, end      the same of the hand, with 2 % of its largest speed while it reaches and
 //   while
 //                      it returns
-#include "kinematics/drinking.hpp"
+#include "kinematics/measures/drinking.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +17,8 @@
 #include <string>
 #include <utility>
 
-#include "kinematics/smoothness.hpp"
-#include "kinematics/zero_phase.hpp"
+#include "kinematics/measures/smoothness.hpp"
+#include "kinematics/measures/zero_phase.hpp"
 
 namespace isograsp {
 

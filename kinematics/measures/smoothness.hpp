@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How smooth a movement is: formulas of a speed on a strict grid, which measures of hands use, too;
 // and of the angular speed of each link of an arm and of the speed of the object, behind the
-// low-pass of kinematics/zero_phase.hpp. Times in s, speeds in m/s and rad/s. Sources:
+// low-pass of kinematics/measures/zero_phase.hpp. Times in s, speeds in m/s and rad/s. Sources:
 // docs/measures.md.
 #pragma once
 

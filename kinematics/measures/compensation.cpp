@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // p_BE = R_WB^T (p_WE - p_WB);  path = sum |p_BE(k) - p_BE(k - 1)|,  displacement = max |p(k) -
 // p(0)| lean = max angle between R(k) R(0)^T u and u, u up;  rotation = max |log(R(0)^T R(k))|
-#include "kinematics/compensation.hpp"
+#include "kinematics/measures/compensation.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
 
-#include "kinematics/zero_phase.hpp"
+#include "kinematics/measures/zero_phase.hpp"
 
 namespace isograsp {
 

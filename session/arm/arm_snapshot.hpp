@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What both screens show of a session with an arm seen by markers, copied out of the acquisition
+// thread. SI units; poses in the frame W of the cameras, of a left arm in its reflection.
+#pragma once
+
+#include <array>
+
+#include "device/cameras/marker_device.hpp"
+#include "hand/arm_columns.hpp"
+#include "hand/stimulus.hpp"
+#include "kinematics/arm_frames.hpp"
+#include "session/acquisition/moment.hpp"
+#include "session/arm/arm_rig.hpp"
+#include "tasks/task_view.hpp"
+
+namespace isograsp::session {
+
+/// Copying it takes no memory from the heap. Published once per frame.
+struct ArmSnapshot : Moment {
+  MarkerHealth health;
+  bool picture = false;  ///< the cameras gave one for this frame
+  /// Of each segment; one that the rig has not is missing.
+  std::array<FramePose, kArmSegmentCount> segments{};
+  /// The angles of each link [rad]; missing where one of its segments is.
+  std::array<Vec3, kArmLinkCount> link_angles{};
+  std::size_t marker_count = 0;                      ///< those that are recorded
+  std::array<Vec3, ArmRig::kMostMarkers> markers_W;  ///< as cameras see them [m]; not seen: NaN
+  double unseen_s = 0.0;                             ///< how long the object has not been seen
+  tasks::SpecialView special;  ///< of the running trial's task, beside its progress
+
+  [[nodiscard]] const FramePose& segment(ArmSegment which) const noexcept {
+    return segments[index_of(which)];
+  }
+};
+
+/// What is on the patient's screen at this frame, decided here alone. Real-time safe.
+[[nodiscard]] Stimulus screen_of(const ArmSnapshot& now) noexcept;
+
+}  // namespace isograsp::session

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One trial of an arm, and what is recorded of a frame; its columns are those of
+// hand/arm_columns.hpp and one triple for each marker.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "session/acquisition/apparatus.hpp"
+#include "session/arm/arm_snapshot.hpp"
+
+namespace isograsp::session {
+
+/// Columns of the markers, in the order of ArmSnapshot::markers_W.
+[[nodiscard]] std::vector<columns::OfAxes> marker_columns(std::span<const RecordedMarker> markers);
+
+class ArmTrial final : public TrialSetup {
+ public:
+  [[nodiscard]] std::vector<storage::SignalGroup> columns() const override;
+  [[nodiscard]] std::string health_json() const override;
+  /// One value per column, in that order. Real-time safe.
+  void write(const RowFrame& frame, const ArmSnapshot& seen, TrialRow& row) const noexcept;
+
+  std::vector<columns::OfAxes> markers;
+  std::array<bool, kArmSegmentCount> has_segment{};  ///< those that the rig makes
+  MarkerHealth health;                               ///< at its end
+};
+
+}  // namespace isograsp::session

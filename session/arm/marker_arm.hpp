@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An arm seen by markers as an apparatus: markers -> frames of a rig -> object -> task.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/latest.hpp"
+#include "device/cameras/marker_device.hpp"
+#include "session/acquisition/apparatus.hpp"
+#include "session/arm/arm_rig.hpp"
+#include "session/arm/arm_snapshot.hpp"
+#include "session/arm/arm_trial.hpp"
+#include "session/arm/picture_grid.hpp"
+#include "session/arm/start_posture.hpp"
+
+namespace isograsp::session {
+
+struct ArmOptions {
+  Hand hand = Hand::right;
+  std::string library;  ///< folder with postures/
+};
+
+class MarkerArm final : public Apparatus {
+ public:
+  static constexpr std::string_view kKind = "arm";
+
+  /// `person` moves a simulated arm and watches the screen; null: nobody is simulated. The device
+  /// shows what it does.
+  MarkerArm(std::unique_ptr<MarkerDevice> device, ArmRig rig, ArmOptions options,
+            std::unique_ptr<MarkerSource> person = nullptr);
+
+  [[nodiscard]] const MarkerDeviceInfo& device() const noexcept { return device_->info(); }
+  Latest<ArmSnapshot>& snapshots() noexcept { return snapshots_; }  ///< acquisition -> owner
+
+  // The other functions of Apparatus are called through a pointer to it.
+  [[nodiscard]] const ApparatusInfo& info() const noexcept override { return info_; }
+  /// Errors also: the cameras know no marker of the rig.
+  [[nodiscard]] Result<void> start(Clock& clock) override;
+  void stop() noexcept override;
+
+ private:
+  [[nodiscard]] std::span<const PreparationStep> steps() const noexcept override;
+  void describe(storage::SessionRecord& session) const override;
+  [[nodiscard]] Result<void> ready() override { return {}; }
+  [[nodiscard]] Result<std::unique_ptr<Preparation>> make_preparation(
+      const ZeroRequest& request) override;
+  /// Refused without a start posture, or with postures of another chain.
+  [[nodiscard]] Result<std::unique_ptr<TrialSetup>> make_trial(
+      const tasks::TaskSpec& spec, const tasks::TaskContext& context) override;
+  [[nodiscard]] const Moment& newest() noexcept override { return snapshots_.read(); }
+
+  [[nodiscard]] bool next() noexcept override;
+  [[nodiscard]] bool measure(Preparation& preparation) noexcept override;
+  [[nodiscard]] Reception receive() noexcept override;
+  void step() noexcept override;
+  void write(const RowFrame& frame, TrialRow& row) noexcept override;
+  void move() noexcept override {}
+  void publish() noexcept override { snapshots_.publish(now_); }
+  void show() noexcept override;
+
+  void begin(Preparation& preparation) noexcept override;
+  void begin(TrialSetup& trial) noexcept override;
+  void end(TrialSetup& trial) noexcept override;
+
+  [[nodiscard]] Moment& now() noexcept override { return now_; }
+  [[nodiscard]] ApparatusFault fault() const noexcept override;
+  [[nodiscard]] double lateness_s() const noexcept override;
+  [[nodiscard]] std::optional<double> latency_s() const noexcept override;
+
+  /// Poses of all frames from the picture of this frame; all missing without one.
+  void see_arm() noexcept;
+  [[nodiscard]] Result<std::vector<PoseReference>> references(const tasks::TaskSpec& spec) const;
+
+  std::unique_ptr<MarkerSource> person_;
+  std::unique_ptr<MarkerDevice> device_;  ///< shows the person
+  ArmRig rig_;
+  ArmOptions options_;
+  ApparatusInfo info_;
+  const Clock* clock_ = nullptr;
+  bool streaming_ = false;
+
+  // Once it is started.
+  std::optional<ArmFrames> frames_;
+  std::optional<PictureGrid> grid_;
+  std::vector<RecordedMarker> recorded_;
+  std::vector<Vec3> p_W_;         ///< of all labels, reflected for a left arm
+  std::vector<FramePose> poses_;  ///< of all frames of the rig
+  double last_picture_s_ = 0.0;
+  double last_seen_s_ = 0.0;     ///< the object
+  std::int64_t trial_rows_ = 0;  ///< of the running trial
+
+  Latest<ArmSnapshot> snapshots_;
+  ArmSnapshot now_;                        ///< the state that is published
+  std::optional<StartPostureMean> start_;  ///< nothing: not measured yet
+  ArmTrial* trial_ = nullptr;
+};
+
+}  // namespace isograsp::session

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The whole way of an arm as a user goes it: cameras (in software, on a real port), session,
+// database, scores, export, report.
+#include <cmath>
+#include <regex>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "core/csv.hpp"
+#include "core/files.hpp"
+#include "tests/support/background_command.hpp"
+#include "tests/support/command.hpp"
+#include "tests/support/every.hpp"
+#include "tests/support/free_port.hpp"
+#include "tests/support/must.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace isograsp::app::arm_test {
+namespace {
+
+using test::isograsp;
+using test::TemporaryFolder;
+
+/// A start posture, a short range and four turns.
+std::string short_protocol(const TemporaryFolder& folder) {
+  static_cast<void>(folder.write(
+      "range.toml",
+      "format = \"isograsp-task-1\"\nname = \"Short range\"\ninstruction = \"Turn.\"\nkind = "
+      "\"active_range\"\nlink = \"forearm\"\nangle = 3\nlead_in_s = 0.2\nduration_s = 2\n"));
+  return folder.write("short.toml",
+                      "format = \"isograsp-protocol-1\"\nname = \"Short\"\n[[step]]\nkind = "
+                      "\"start_posture\"\n[[step]]\nkind = \"task\"\ntask = \"range.toml\"\n"
+                      "[[step]]\nkind = \"task\"\ntask = \"arm_screw.toml\"\n");
+}
+
+std::string run(const TemporaryFolder& folder, const std::string& device, const std::string& more) {
+  return "run --device '" + device + "' --protocol-file " + short_protocol(folder) + " --db " +
+         folder.path("clinic.db") + " " + more;
+}
+
+/// The measure as it is printed; NaN: it has no value.
+double printed(const std::string& out, const std::string& name) {
+  double value = std::nan("");
+  const std::regex line("    " + name + " \\([a-z_0-9]+\\) +([-0-9.e+]+) ");
+  for (std::sregex_iterator at(out.begin(), out.end(), line), end; at != end; ++at)
+    value = std::stod((*at)[1]);
+  return value;
+}
+
+TEST(Arm, ASimulatedOneGoesFromMarkersToAReport) {
+  const TemporaryFolder folder;
+  const auto healthy =
+      isograsp(run(folder, "sim://arm?patient=healthy&seed=3", "--patient A-1 --fast"));
+  ASSERT_EQ(healthy.status, 0) << healthy.err;
+  EXPECT_EQ(printed(healthy.out, "targets_reached"), 4.0) << healthy.out;
+  const auto left =
+      isograsp(run(folder, "sim://arm?patient=healthy&seed=3", "--patient A-1 --fast --hand left"));
+  ASSERT_EQ(left.status, 0) << left.err;
+  EXPECT_EQ(printed(left.out, "targets_reached"), 4.0) << left.out;
+  const auto verified = isograsp("db verify " + folder.path("clinic.db"));
+  EXPECT_EQ(verified.status, 0) << verified.out;
+  EXPECT_NE(verified.out.find("largest relative difference 0"), std::string::npos) << verified.out;
+  const auto report = isograsp("report --patient A-1 --db " + folder.path("clinic.db") + " --out " +
+                               folder.path("r.html"));
+  ASSERT_EQ(report.status, 0) << report.err;
+  const std::string page = test::must(read_text(folder.path("r.html")));
+  for (const char* said : {"Turn an object in and out", "held still; largest wander of a link",
+                           "Time of the movement"})
+    EXPECT_NE(page.find(said), std::string::npos) << said;
+  for (const char* not_said : {"grip force", "Instrument zero", "What limits this hand"})
+    EXPECT_EQ(page.find(not_said), std::string::npos) << not_said;
+}
+
+TEST(Arm, APareticReachesLessOrLaterAndMovesItsElbow) {
+  double healthy_s = 0.0;
+  double paretic_s = 0.0;
+  for (int seed = 1; seed <= 3; ++seed) {
+    const TemporaryFolder folder;
+    const auto time = [&](const std::string& patient) {
+      const auto done =
+          isograsp(run(folder, "sim://arm?patient=" + patient + "&seed=" + std::to_string(seed),
+                       "--patient A-1 --fast"));
+      EXPECT_EQ(done.status, 0) << done.err;
+      return printed(done.out, "restricted_mean_time");
+    };
+    healthy_s += time("healthy");
+    paretic_s += time("paretic");
+  }
+  EXPECT_GT(paretic_s, 1.5 * healthy_s);
+}
+
+/// What the cameras showed in the trial of the exported signals: `still_s` of its first picture,
+/// then all of them.
+std::string marker_csv(const TemporaryFolder& folder, const std::string& signals, double still_s) {
+  std::istringstream in(test::must(read_text(signals)));
+  std::string line;
+  std::getline(in, line);
+  std::vector<std::string> names;
+  for (std::istringstream head(line); std::getline(head, line, ',');) names.push_back(line);
+  std::vector<std::vector<std::string>> rows;
+  while (std::getline(in, line)) {
+    std::vector<std::string> fields;
+    std::string field;
+    for (std::istringstream row(line); std::getline(row, field, ',');) fields.push_back(field);
+    fields.resize(names.size());
+    rows.push_back(fields);
+  }
+  const auto write_row = [&](std::ostream& out, double t_s, const std::vector<std::string>& row) {
+    out << format_number(t_s);
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (names[i].starts_with("marker_")) out << ',' << row[i];
+    out << '\n';
+  };
+  std::ostringstream out;
+  out << "t_s";
+  for (const std::string& name : names)
+    if (name.starts_with("marker_")) out << ',' << name.substr(7);
+  out << '\n';
+  constexpr double kPeriod_s = 0.01;
+  double t_s = 0.0;
+  for (; t_s < still_s; t_s += kPeriod_s) write_row(out, t_s, rows.front());
+  for (const auto& row : rows) write_row(out, t_s += kPeriod_s, row);
+  return folder.write("arm.csv", out.str());
+}
+
+TEST(Arm, EmulatedCamerasOnARealPortGiveASessionWithAReport) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(isograsp(run(folder, "sim://arm?seed=5", "--patient A-1 --fast")).status, 0);
+  ASSERT_EQ(isograsp("export --db " + folder.path("clinic.db") + " --format csv --out " +
+                     folder.path("ex"))
+                .status,
+            0);
+  const std::string play =
+      marker_csv(folder, folder.path("ex/patient_1/session_1/trial_2_signals.csv"), 4.0);
+  const std::string port = std::to_string(test::free_port());
+  const test::BackgroundCommand cameras("\"" ISOGRASP_EXECUTABLE
+                                        "\" emulate --protocol qtm-rt --loop --duration 60 --on "
+                                        "127.0.0.1:" +
+                                        port + " --play " + play);
+  ASSERT_TRUE(cameras.wait_until([&] { return cameras.err().find(port) != std::string::npos; }))
+      << cameras.err();
+  static_cast<void>(folder.write("only_range.toml",
+                                 "format = \"isograsp-protocol-1\"\nname = \"Range\"\n[[step]]\n"
+                                 "kind = \"start_posture\"\n[[step]]\nkind = \"task\"\ntask = "
+                                 "\"range.toml\"\n"));
+  const auto live =
+      isograsp("run --device 'qtm://127.0.0.1:" + port + "?rig=kurillo15_trunk' --protocol-file " +
+               folder.path("only_range.toml") + " --patient A-2 --db " + folder.path("clinic.db"));
+  ASSERT_EQ(live.status, 0) << live.err << live.out;
+  EXPECT_FALSE(std::isnan(printed(live.out, "active_range"))) << live.out;
+  const auto verified = isograsp("db verify " + folder.path("clinic.db"));
+  EXPECT_NE(verified.out.find("largest relative difference 0"), std::string::npos) << verified.out;
+  EXPECT_EQ(isograsp("report --patient A-2 --db " + folder.path("clinic.db") + " --out " +
+                     folder.path("r.pdf"))
+                .status,
+            0);
+}
+
+TEST(Arm, ARecordingOfMarkersIsASessionToo) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(isograsp(run(folder, "sim://arm?seed=5", "--patient A-1 --fast")).status, 0);
+  ASSERT_EQ(isograsp("export --db " + folder.path("clinic.db") + " --format csv --out " +
+                     folder.path("ex"))
+                .status,
+            0);
+  const std::string play =
+      marker_csv(folder, folder.path("ex/patient_1/session_1/trial_2_signals.csv"), 4.0);
+  const auto replayed =
+      isograsp(run(folder, "replay://" + play + "?rig=kurillo15_trunk", "--patient A-3 --fast"));
+  EXPECT_NE(replayed.out.find("Short range"), std::string::npos) << replayed.out << replayed.err;
+}
+
+TEST(Arm, WhatDoesNotFitIsOneSentenceAndNothingIsWritten) {
+  const TemporaryFolder folder;
+  for (const auto& [device, said] : test::every(std::vector<std::pair<std::string, std::string>>{
+           {"sim://arm?patient=nobody", "there is no simulated arm 'nobody'"},
+           {"sim://arm?rig=none", "none"},
+           {"qtm://127.0.0.1:9?rig=kurillo15", "127.0.0.1:9"},
+           {"qtm://127.0.0.1:9", "names no rig"},
+           {"sim://healthy", "arm"}})) {
+    const auto refused = isograsp(run(folder, device, "--patient A-1 --fast"));
+    EXPECT_NE(refused.status, 0) << device;
+    EXPECT_NE(refused.err.find(said), std::string::npos) << device << ": " << refused.err;
+    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+    EXPECT_FALSE(std::filesystem::exists(folder.path("clinic.db"))) << device;
+  }
+}
+
+}  // namespace
+}  // namespace isograsp::app::arm_test

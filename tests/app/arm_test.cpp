@@ -135,7 +135,7 @@ TEST(Arm, EmulatedCamerasOnARealPortGiveASessionWithAReport) {
       marker_csv(folder, folder.path("ex/patient_1/session_1/trial_2_signals.csv"), 4.0);
   const std::string port = std::to_string(test::free_port());
   const test::BackgroundCommand cameras("\"" ISOGRASP_EXECUTABLE
-                                        "\" emulate --protocol qtm-rt --loop --duration 60 --on "
+                                        "\" emulate --protocol qtm-rt --duration 40 --on "
                                         "127.0.0.1:" +
                                         port + " --play " + play);
   ASSERT_TRUE(cameras.wait_until([&] { return cameras.err().find(port) != std::string::npos; }))

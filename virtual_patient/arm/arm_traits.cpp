@@ -12,65 +12,65 @@ namespace isograsp::virtual_patient {
 
 namespace {
 
-using T = ArmTraits;
+using Arm = ArmTraits;
 
 constexpr double kHalfTurn_rad = std::numbers::pi;
 
 // The ranges find mistakes (degrees for radians, millimetres for metres), not unusual people.
-constexpr std::array kFields{
-    ArmTraitField{"visual_delay_s", &T::visual_delay_s, 0.02, 0.9},
-    ArmTraitField{"reaction_s", &T::reaction_s, 0.05, 5.0},
-    ArmTraitField{"reaction_cv", &T::reaction_cv, 0.0, 1.0},
-    ArmTraitField{"sight_m", &T::sight_m, 0.0, 0.05},
-    ArmTraitField{"depth_m", &T::depth_m, 0.0, 0.1},
-    ArmTraitField{"sight_rad", &T::sight_rad, 0.0, 0.5},
-    ArmTraitField{"aim_m", &T::aim_m, 0.0, 0.1},
-    ArmTraitField{"aim_rad", &T::aim_rad, 0.0, 1.0},
-    ArmTraitField{"movement_s", &T::movement_s, 0.2, 20.0},
-    ArmTraitField{"movement_cv", &T::movement_cv, 0.0, 0.3},
-    ArmTraitField{"first_gain", &T::first_gain, 0.2, 1.0},
-    ArmTraitField{"amplitude_cv", &T::amplitude_cv, 0.0, 0.5},
-    ArmTraitField{"wander_rad", &T::wander_rad, 0.0, 0.2},
-    ArmTraitField{"wander_s", &T::wander_s, 0.05, 10.0},
-    ArmTraitField{"tremor_rad", &T::tremor_rad, 0.0, 0.2},
-    ArmTraitField{"tremor_Hz", &T::tremor_Hz, 1.0, 15.0},
-    ArmTraitField{"forearm_share", &T::forearm_share, 0.01, 1.0},
-    ArmTraitField{"wrist_share", &T::wrist_share, 0.01, 1.0},
-    ArmTraitField{"finger_share", &T::finger_share, 0.01, 1.0},
-    ArmTraitField{"shoulder_share", &T::shoulder_share, 0.0, 1.0},
-    ArmTraitField{"trunk_share", &T::trunk_share, 0.0, 1.0},
-    ArmTraitField{"forearm_lag", &T::forearm_lag, 0.0, 1.0},
-    ArmTraitField{"wrist_lag", &T::wrist_lag, 0.0, 1.0},
-    ArmTraitField{"pronation_rad", &T::pronation_rad, 0.0, kHalfTurn_rad},
-    ArmTraitField{"supination_rad", &T::supination_rad, 0.0, kHalfTurn_rad},
-    ArmTraitField{"flexion_rad", &T::flexion_rad, 0.0, 2.0},
-    ArmTraitField{"extension_rad", &T::extension_rad, 0.0, 2.0},
-    ArmTraitField{"radial_rad", &T::radial_rad, 0.0, 1.0},
-    ArmTraitField{"ulnar_rad", &T::ulnar_rad, 0.0, 1.0},
-    ArmTraitField{"finger_turn_rad", &T::finger_turn_rad, 0.0, 2.0},
-    ArmTraitField{"finger_shift_m", &T::finger_shift_m, 0.0, 0.1},
-    ArmTraitField{"lift_rad", &T::lift_rad, 0.0, 1.5},
-    ArmTraitField{"lean_m", &T::lean_m, 0.0, 0.5},
-    ArmTraitField{"forearm_m", &T::forearm_m, 0.1, 0.4},
-    ArmTraitField{"upper_arm_m", &T::upper_arm_m, 0.1, 0.5},
-    ArmTraitField{"palm_m", &T::palm_m, 0.03, 0.15},
-    ArmTraitField{"reach_m", &T::reach_m, 0.05, 0.25},
-    ArmTraitField{"size_cv", &T::size_cv, 0.0, 0.15},
-    ArmTraitField{"placement_m", &T::placement_m, 0.0, 0.01},
-    ArmTraitField{"start_pronation_rad", &T::start_pronation_rad, -1.0, 1.0},
-    ArmTraitField{"start_extension_rad", &T::start_extension_rad, -1.0, 1.0},
-    ArmTraitField{"start_sd_rad", &T::start_sd_rad, 0.0, 0.2},
-    ArmTraitField{"share_cv", &T::share_cv, 0.0, 0.5},
-    ArmTraitField{"tempo_cv", &T::tempo_cv, 0.0, 0.5},
-    ArmTraitField{"skin_m", &T::skin_m, 0.0, 0.01},
-    ArmTraitField{"skin_s", &T::skin_s, 0.01, 10.0},
-    ArmTraitField{"camera_m", &T::camera_m, 0.0, 0.01},
-    ArmTraitField{"loss_per_s", &T::loss_per_s, 0.0, 10.0},
-    ArmTraitField{"loss_s", &T::loss_s, 0.0, 10.0},
-    ArmTraitField{"block_per_s", &T::block_per_s, 0.0, 1.0},
-    ArmTraitField{"block_s", &T::block_s, 0.0, 60.0},
-    ArmTraitField{"view_rad", &T::view_rad, 0.5, kHalfTurn_rad},
-    ArmTraitField{"day_cv", &T::day_cv, 0.0, 0.5},
+constexpr std::array kArmFields{
+    ArmTraitField{"visual_delay_s", &Arm::visual_delay_s, 0.02, 0.9},
+    ArmTraitField{"reaction_s", &Arm::reaction_s, 0.05, 5.0},
+    ArmTraitField{"reaction_cv", &Arm::reaction_cv, 0.0, 1.0},
+    ArmTraitField{"sight_m", &Arm::sight_m, 0.0, 0.05},
+    ArmTraitField{"depth_m", &Arm::depth_m, 0.0, 0.1},
+    ArmTraitField{"sight_rad", &Arm::sight_rad, 0.0, 0.5},
+    ArmTraitField{"aim_m", &Arm::aim_m, 0.0, 0.1},
+    ArmTraitField{"aim_rad", &Arm::aim_rad, 0.0, 1.0},
+    ArmTraitField{"movement_s", &Arm::movement_s, 0.2, 20.0},
+    ArmTraitField{"movement_cv", &Arm::movement_cv, 0.0, 0.3},
+    ArmTraitField{"first_gain", &Arm::first_gain, 0.2, 1.0},
+    ArmTraitField{"amplitude_cv", &Arm::amplitude_cv, 0.0, 0.5},
+    ArmTraitField{"wander_rad", &Arm::wander_rad, 0.0, 0.2},
+    ArmTraitField{"wander_s", &Arm::wander_s, 0.05, 10.0},
+    ArmTraitField{"tremor_rad", &Arm::tremor_rad, 0.0, 0.2},
+    ArmTraitField{"tremor_Hz", &Arm::tremor_Hz, 1.0, 15.0},
+    ArmTraitField{"forearm_share", &Arm::forearm_share, 0.01, 1.0},
+    ArmTraitField{"wrist_share", &Arm::wrist_share, 0.01, 1.0},
+    ArmTraitField{"finger_share", &Arm::finger_share, 0.01, 1.0},
+    ArmTraitField{"shoulder_share", &Arm::shoulder_share, 0.0, 1.0},
+    ArmTraitField{"trunk_share", &Arm::trunk_share, 0.0, 1.0},
+    ArmTraitField{"forearm_lag", &Arm::forearm_lag, 0.0, 1.0},
+    ArmTraitField{"wrist_lag", &Arm::wrist_lag, 0.0, 1.0},
+    ArmTraitField{"pronation_rad", &Arm::pronation_rad, 0.0, kHalfTurn_rad},
+    ArmTraitField{"supination_rad", &Arm::supination_rad, 0.0, kHalfTurn_rad},
+    ArmTraitField{"flexion_rad", &Arm::flexion_rad, 0.0, 2.0},
+    ArmTraitField{"extension_rad", &Arm::extension_rad, 0.0, 2.0},
+    ArmTraitField{"radial_rad", &Arm::radial_rad, 0.0, 1.0},
+    ArmTraitField{"ulnar_rad", &Arm::ulnar_rad, 0.0, 1.0},
+    ArmTraitField{"finger_turn_rad", &Arm::finger_turn_rad, 0.0, 2.0},
+    ArmTraitField{"finger_shift_m", &Arm::finger_shift_m, 0.0, 0.1},
+    ArmTraitField{"lift_rad", &Arm::lift_rad, 0.0, 1.5},
+    ArmTraitField{"lean_m", &Arm::lean_m, 0.0, 0.5},
+    ArmTraitField{"forearm_m", &Arm::forearm_m, 0.1, 0.4},
+    ArmTraitField{"upper_arm_m", &Arm::upper_arm_m, 0.1, 0.5},
+    ArmTraitField{"palm_m", &Arm::palm_m, 0.03, 0.15},
+    ArmTraitField{"reach_m", &Arm::reach_m, 0.05, 0.25},
+    ArmTraitField{"size_cv", &Arm::size_cv, 0.0, 0.15},
+    ArmTraitField{"placement_m", &Arm::placement_m, 0.0, 0.01},
+    ArmTraitField{"start_pronation_rad", &Arm::start_pronation_rad, -1.0, 1.0},
+    ArmTraitField{"start_extension_rad", &Arm::start_extension_rad, -1.0, 1.0},
+    ArmTraitField{"start_sd_rad", &Arm::start_sd_rad, 0.0, 0.2},
+    ArmTraitField{"share_cv", &Arm::share_cv, 0.0, 0.5},
+    ArmTraitField{"tempo_cv", &Arm::tempo_cv, 0.0, 0.5},
+    ArmTraitField{"skin_m", &Arm::skin_m, 0.0, 0.01},
+    ArmTraitField{"skin_s", &Arm::skin_s, 0.01, 10.0},
+    ArmTraitField{"camera_m", &Arm::camera_m, 0.0, 0.01},
+    ArmTraitField{"loss_per_s", &Arm::loss_per_s, 0.0, 10.0},
+    ArmTraitField{"loss_s", &Arm::loss_s, 0.0, 10.0},
+    ArmTraitField{"block_per_s", &Arm::block_per_s, 0.0, 1.0},
+    ArmTraitField{"block_s", &Arm::block_s, 0.0, 60.0},
+    ArmTraitField{"view_rad", &Arm::view_rad, 0.5, kHalfTurn_rad},
+    ArmTraitField{"day_cv", &Arm::day_cv, 0.0, 0.5},
 };
 
 constexpr std::array<std::string_view, 2> kNames{"healthy", "paretic"};
@@ -83,11 +83,11 @@ double factor(Random& random, double cv) noexcept {
 }  // namespace
 
 std::span<const ArmTraitField> arm_trait_fields() noexcept {
-  return kFields;
+  return kArmFields;
 }
 
 ArmTraits clamped(ArmTraits traits) noexcept {
-  for (const ArmTraitField& field : kFields)
+  for (const ArmTraitField& field : kArmFields)
     traits.*field.value = std::clamp(traits.*field.value, field.least, field.most);
   return traits;
 }
@@ -138,7 +138,7 @@ std::optional<ArmTraits> arm_traits(std::string_view name) noexcept {
 ArmTraits recovered(const ArmTraits& traits, double fraction) noexcept {
   const ArmTraits healthy;
   ArmTraits on_the_way = traits;
-  for (const ArmTraitField& field : kFields)
+  for (const ArmTraitField& field : kArmFields)
     on_the_way.*field.value += fraction * (healthy.*field.value - traits.*field.value);
   return on_the_way;
 }
@@ -148,11 +148,12 @@ ArmTraits arm_on_day(const ArmTraits& traits, std::uint64_t day_seed) noexcept {
   Random random(day_seed, kStream);
   ArmTraits today = traits;
   const double range = factor(random, traits.day_cv);
-  for (const auto trait : {&T::pronation_rad, &T::supination_rad, &T::flexion_rad,
-                           &T::extension_rad, &T::radial_rad, &T::ulnar_rad, &T::finger_turn_rad})
+  for (const auto trait :
+       {&Arm::pronation_rad, &Arm::supination_rad, &Arm::flexion_rad, &Arm::extension_rad,
+        &Arm::radial_rad, &Arm::ulnar_rad, &Arm::finger_turn_rad})
     today.*trait *= range;
   const double tempo = factor(random, traits.day_cv);
-  for (const auto trait : {&T::reaction_s, &T::movement_s}) today.*trait *= tempo;
+  for (const auto trait : {&Arm::reaction_s, &Arm::movement_s}) today.*trait *= tempo;
   return clamped(today);
 }
 
@@ -161,15 +162,16 @@ ArmTraits drawn(const ArmTraits& traits, std::uint64_t seed) noexcept {
   Random random(seed, kStream);
   ArmTraits person = traits;
   const double size = factor(random, traits.size_cv);
-  for (const auto trait : {&T::forearm_m, &T::upper_arm_m, &T::palm_m, &T::reach_m})
+  for (const auto trait : {&Arm::forearm_m, &Arm::upper_arm_m, &Arm::palm_m, &Arm::reach_m})
     person.*trait *= size;
-  for (const auto trait : {&T::start_pronation_rad, &T::start_extension_rad})
+  for (const auto trait : {&Arm::start_pronation_rad, &Arm::start_extension_rad})
     person.*trait += traits.start_sd_rad * random.gaussian();
-  for (const auto trait : {&T::forearm_share, &T::wrist_share, &T::finger_share, &T::shoulder_share,
-                           &T::trunk_share, &T::forearm_lag, &T::wrist_lag})
+  for (const auto trait :
+       {&Arm::forearm_share, &Arm::wrist_share, &Arm::finger_share, &Arm::shoulder_share,
+        &Arm::trunk_share, &Arm::forearm_lag, &Arm::wrist_lag})
     person.*trait *= factor(random, traits.share_cv);
   const double tempo = factor(random, traits.tempo_cv);
-  for (const auto trait : {&T::reaction_s, &T::movement_s}) person.*trait *= tempo;
+  for (const auto trait : {&Arm::reaction_s, &Arm::movement_s}) person.*trait *= tempo;
   return clamped(person);
 }
 

@@ -26,10 +26,10 @@ constexpr int kPasses = kJoints - 5;  ///< with fewer than six joints left nothi
 /// that is free to turn.
 constexpr double kRidge = 1e-3 * 0.3;
 constexpr double kSettled = 1e-9;
-constexpr double kSwingShare = 0.15;  ///< of the forearm about the elbow, in a brace
-constexpr double kTiltShare = 0.5;    ///< fingers tilt an object less easily than they twirl it
-constexpr double kShift_m = 0.03;     ///< shift of the object in the fingers, as easy as 1 rad
-constexpr double kLean_m = 0.15;      ///< … and of the elbow with the trunk
+constexpr double kSwingShare = 0.15;    ///< of the forearm about the elbow, in a brace
+constexpr double kTiltShare = 0.5;      ///< fingers tilt an object less easily than they twirl it
+constexpr double kReachShift_m = 0.03;  ///< shift of the object in the fingers, as easy as 1 rad
+constexpr double kLean_m = 0.15;        ///< … and of the elbow with the trunk
 
 }  // namespace
 
@@ -40,7 +40,7 @@ Reach::Reach(const ArmTraits& traits, const ArmBody& body) noexcept : body_(body
   compliance_[joint::turn_z] = traits.finger_share;
   compliance_[joint::turn_x] = compliance_[joint::turn_y] = kTiltShare * traits.finger_share;
   for (const auto k : {joint::shift_x, joint::shift_y, joint::shift_z})
-    compliance_[k] = kShift_m * kShift_m * traits.finger_share;
+    compliance_[k] = kReachShift_m * kReachShift_m * traits.finger_share;
   compliance_[joint::lift] = traits.shoulder_share;
   for (const auto k : {joint::lean_x, joint::lean_y, joint::lean_z})
     compliance_[k] = kLean_m * kLean_m * traits.trunk_share;

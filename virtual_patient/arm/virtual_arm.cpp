@@ -33,7 +33,7 @@ constexpr double kBack = 0.3;            ///< … by this share of the way to th
 constexpr double kShortest = 0.3;        ///< of movement_s: no movement is shorter
 constexpr double kReturn_s = 1.2;        ///< to the start posture, times movement_s
 constexpr double kLargestFactor = 3.0;   ///< of a random duration
-constexpr double kTurn_rad = 2.0 * std::numbers::pi;
+constexpr double kArmTurn_rad = 2.0 * std::numbers::pi;
 
 double reflected_if(Hand hand, double x) noexcept {
   return hand == Hand::left ? -x : x;
@@ -101,7 +101,7 @@ struct VirtualArm::Mind {
     posture = body.rest;
     plan.stand(body.rest);
     for (int k = 0; k < kJoints; ++k) wander[k] = muscles.gaussian();
-    tremor_phase_rad = kTurn_rad * muscles.uniform();
+    tremor_phase_rad = kArmTurn_rad * muscles.uniform();
   }
 
   [[nodiscard]] Intention asked(const Stimulus& picture) const noexcept;
@@ -297,7 +297,8 @@ Joints VirtualArm::Mind::unsteady_posture(double t_s, double dt_s) noexcept {
     wander[k] = keep * wander[k] + fresh * muscles.gaussian();
     q[k] += person.wander_rad * unsteady[k] * wander[k];
   }
-  tremor_phase_rad = std::fmod(tremor_phase_rad + kTurn_rad * person.tremor_Hz * dt_s, kTurn_rad);
+  tremor_phase_rad =
+      std::fmod(tremor_phase_rad + kArmTurn_rad * person.tremor_Hz * dt_s, kArmTurn_rad);
   const double tremor = person.tremor_rad * std::sin(tremor_phase_rad);
   q[joint::pronation] += tremor;
   q[joint::flexion] += 0.5 * tremor;

@@ -8,7 +8,7 @@ namespace isograsp::session {
 namespace {
 
 template <class Number>
-double number(Number value) {
+double as_number(Number value) {
   return static_cast<double>(value);
 }
 
@@ -36,10 +36,10 @@ template <class Sink>
 void put_task(Sink& sink, const RowFrame& frame, const ArmSnapshot& seen) {
   const tasks::ArmView& task = seen.special.arm();
   put_progress(sink, frame);
-  sink.put(columns::sample_flags, number(flags_of(seen)));
-  sink.put(columns::target_index, number(frame.task.target_index));
-  sink.put(columns::targets_reached, number(frame.task.targets_reached));
-  sink.put(columns::matched, number(task.matched));
+  sink.put(columns::sample_flags, as_number(flags_of(seen)));
+  sink.put(columns::target_index, as_number(frame.task.target_index));
+  sink.put(columns::targets_reached, as_number(frame.task.targets_reached));
+  sink.put(columns::matched, as_number(task.matched));
   put_pose(sink, columns::reference_position, columns::reference_attitude,
            task.reference_shown ? task.X_WR : missing_pose());
 }
@@ -54,7 +54,7 @@ void put_all(Sink sink, const RowFrame& frame, const ArmSnapshot& seen, const Ar
     const FramePose& pose = seen.segments[s];
     put_pose(sink, columns.position, columns.attitude, pose.X_W);
     sink.put(columns.residual_m, pose.residual_m);
-    sink.put(columns.state, number(pose.state));
+    sink.put(columns.state, as_number(pose.state));
   }
   for (std::size_t link = 0; link < kArmLinkCount; ++link)
     for (std::size_t a = 0; a < 3; ++a)

@@ -16,7 +16,7 @@
 namespace isograsp::session {
 
 namespace {
-constexpr std::array<PreparationStep, 1> kSteps{PreparationStep::start_posture};
+constexpr std::array<PreparationStep, 1> kArmSteps{PreparationStep::start_posture};
 
 bool lasts_longer_than_a_stand_in(double seconds) noexcept {
   return seconds > kLongestStandIn_s + kMarkerTimeSlack_s;
@@ -59,7 +59,7 @@ void MarkerArm::stop() noexcept {
 }
 
 std::span<const PreparationStep> MarkerArm::steps() const noexcept {
-  return kSteps;
+  return kArmSteps;
 }
 
 void MarkerArm::describe(storage::SessionRecord& session) const {

@@ -41,7 +41,9 @@ Result<void> UdpPort::open(const Endpoint& local, bool shared) {
                   "end the program that has it, or give another address"_text)
         .about(local.text());
   }
-  udp.set_option(asio::socket_base::receive_buffer_size(kBuffer), failure);
+  // The larger buffer needs a privilege or a raised net.core.rmem_max; as much as allowed is fine.
+  if (setsockopt(udp.native_handle(), SOL_SOCKET, SO_RCVBUFFORCE, &kBuffer, sizeof kBuffer) != 0)
+    udp.set_option(asio::socket_base::receive_buffer_size(kBuffer), failure);
   return {};
 }
 

@@ -37,6 +37,43 @@ std::string_view text_in(std::span<const std::uint8_t> bytes) noexcept {
   return text.substr(0, text.find('\0'));
 }
 
+/// Elements within elements, at most so many: the parser works by recursion. QTM needs six.
+constexpr int kDeepestXml = 64;
+
+/// Passes over markup from `at` on, up to behind `end`; to the end of the text if that is not there.
+std::size_t behind(std::string_view xml, std::size_t at, std::string_view end) noexcept {
+  const auto found = xml.find(end, at);
+  return found == std::string_view::npos ? xml.size() : found + end.size();
+}
+
+/// Whether elements are nested deeper than kDeepestXml. Quotes in tags, comments and text that is no
+/// markup are passed over as a parser does.
+bool is_nested_too_deeply(std::string_view xml) noexcept {
+  int depth = 0;
+  for (std::size_t at = xml.find('<'); at < xml.size(); at = xml.find('<', at)) {
+    const std::string_view rest = xml.substr(at);
+    if (rest.starts_with("<!--")) {
+      at = behind(xml, at, "-->");
+    } else if (rest.starts_with("<![CDATA[")) {
+      at = behind(xml, at, "]]>");
+    } else if (rest.starts_with("<?")) {
+      at = behind(xml, at, "?>");
+    } else if (rest.starts_with("<!") || rest.starts_with("</")) {
+      if (rest[1] == '/') --depth;
+      at = behind(xml, at, ">");
+    } else {
+      if (++depth > kDeepestXml) return true;
+      char quote = 0;
+      for (++at; at < xml.size() && (quote != 0 || xml[at] != '>'); ++at) {
+        if (quote != 0 ? xml[at] == quote : xml[at] == '"' || xml[at] == '\'')
+          quote = quote != 0 ? char{0} : xml[at];
+      }
+      if (at < xml.size() && xml[at - 1] == '/') --depth;
+    }
+  }
+  return false;
+}
+
 /// What the XML of the parameters says of the markers.
 struct Parameters {
   std::vector<std::string> labels;
@@ -109,7 +146,12 @@ QtmRtStream::Step QtmRtStream::parameters(std::span<const std::uint8_t> xml) {
     return Step::labels;
   }
   try {
-    Parameters found = parameters_in(text_in(xml));
+    const std::string_view text = text_in(xml);
+    if (is_nested_too_deeply(text)) {
+      xml_problem_ = "elements are nested too deeply";
+      return lose(Trouble::xml);
+    }
+    Parameters found = parameters_in(text);
     if (found.labels.empty()) {
       if (!rate_Hz_) rate_Hz_ = found.rate_Hz;
       return Step::no_labels;

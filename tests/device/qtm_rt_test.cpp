@@ -227,6 +227,25 @@ TEST(QtmRt, AStreamThatHasLostItsWayIsRefused) {
             std::string::npos);
 }
 
+TEST(QtmRt, ParametersThatAreNestedTooDeeplyAreRefusedNotParsed) {
+  const auto taken = [](const std::string& xml) {
+    QtmRtStream stream;
+    const auto done = stream.take(packet(2, Bytes(xml.begin(), xml.end())),
+                                  [](const QtmRtStream::Row&) {});
+    return done ? std::string("taken") : done.error().message();
+  };
+  std::string deep, hidden;
+  for (int k = 0; k < 200'000; ++k) {
+    deep += "<a b='>'>";
+    hidden += "<a><!-- </a> -->";
+  }
+  EXPECT_NE(taken(deep).find("nested too deeply"), std::string::npos);
+  EXPECT_NE(taken(hidden).find("nested too deeply"), std::string::npos);
+  std::string wide = "<a>";
+  for (int k = 0; k < 1000; ++k) wide += "<b c=\"/>\"/><![CDATA[<d><d>]]><!-- <e> --><f>1</f>";
+  EXPECT_EQ(taken(wide + "</a>"), "taken");
+}
+
 TEST(QtmRt, DamagedPacketsNeverReadBeyondTheirEnd) {
   const Bytes good = joined({labels({"A", "B"}), frame(1, {{1, 2, 3, 0}, {1, 2, 3, 0}}, true),
                              frame(2, {{1, 2, 3, 0}, {1, 2, 3, 0}}, false)});

@@ -31,16 +31,22 @@ std::string start_problem(const std::string& uri) {
   return message;
 }
 
-TEST(NatNetDevice, SaysWhyItCannotStart) {
+TEST(NatNetDevice, SaysThatNobodyAnswers) {
   UdpPort deaf;  // takes what comes and says nothing
   must(deaf.open({kThisComputer, 0}, false));
   EXPECT_NE(start_problem("natnet://" + deaf.local().text()).find("nobody answers at"),
             std::string::npos);
+}
+
+TEST(NatNetDevice, SaysThatThereAreNoMarkers) {
   MarkerPlay nothing;
   nothing.t_s = {0.0, 0.01};
   const auto unlabelled = natnet_server(nothing);
   EXPECT_NE(start_problem("natnet://" + unlabelled->address().text()).find("no labelled markers"),
             std::string::npos);
+}
+
+TEST(NatNetDevice, SaysThatNoPicturesCome) {
   const auto still = natnet_server(marker_play(10), {"silence@0s"});
   EXPECT_NE(start_problem("natnet://" + still->address().text()).find("sends no pictures here"),
             std::string::npos);

@@ -51,6 +51,10 @@ bool Text::operator==(const Text& other) const {
   return english_ == other.english_ && arguments_ == other.arguments_;
 }
 
+Text joined(const std::vector<Text>& parts) {
+  return joined(parts, " "_text);
+}
+
 Text joined(const std::vector<Text>& parts, Words between) {
   Text all;
   for (const Text& part : parts) {

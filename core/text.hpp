@@ -159,7 +159,9 @@ consteval auto operator""_text() {
 [[nodiscard]] std::string shortened(std::string text, std::size_t most);
 
 /// The first and the rest behind it, with `between` from one to the next; empty ones are left out.
-[[nodiscard]] Text joined(const std::vector<Text>& parts, Words between = " "_text);
+[[nodiscard]] Text joined(const std::vector<Text>& parts, Words between);
+/// … with a blank.
+[[nodiscard]] Text joined(const std::vector<Text>& parts);
 
 /// How a language says words, numbers and days. This one is English. Any thread.
 class Language {

@@ -50,7 +50,7 @@ Result<void> MarkerArm::start(Clock& clock) {
   p_W_.resize(of.labels.size());
   poses_.resize(frames_->frames());
   now_.marker_count = recorded_.size();
-  grid_.emplace(*device_, info_.period_s, device_->now(clock));
+  pictures_.emplace(*device_, info_.period_s, device_->now(clock));
   return {};
 }
 
@@ -127,14 +127,14 @@ Result<std::unique_ptr<TrialSetup>> MarkerArm::make_trial(const tasks::TaskSpec&
 }
 
 bool MarkerArm::next() noexcept {
-  if (!grid_->next()) return false;
-  now_.session_time_s = grid_->t_s();
+  if (!pictures_->next()) return false;
+  now_.session_time_s = pictures_->t_s();
   see_arm();
   return true;
 }
 
 void MarkerArm::see_arm() noexcept {
-  const MarkerSample* const picture = grid_->picture();
+  const MarkerSample* const picture = pictures_->picture();
   now_.picture = picture != nullptr;
   const bool left = options_.hand == Hand::left;
   for (std::size_t i = 0; i < p_W_.size(); ++i)
@@ -222,7 +222,7 @@ ApparatusFault MarkerArm::fault() const noexcept {
 }
 
 double MarkerArm::lateness_s() const noexcept {
-  return to_seconds(device_->now(*clock_) - grid_->stamp());
+  return to_seconds(device_->now(*clock_) - pictures_->stamp());
 }
 
 std::optional<double> MarkerArm::latency_s() const noexcept {

@@ -14,7 +14,7 @@
 #include "session/arm/arm_rig.hpp"
 #include "session/arm/arm_snapshot.hpp"
 #include "session/arm/arm_trial.hpp"
-#include "session/arm/picture_grid.hpp"
+#include "session/arm/picture_reader.hpp"
 #include "session/arm/start_posture.hpp"
 
 namespace isograsp::session {
@@ -85,7 +85,7 @@ class MarkerArm final : public Apparatus {
 
   // Once it is started.
   std::optional<ArmFrames> frames_;
-  std::optional<PictureGrid> grid_;
+  std::optional<PictureReader> pictures_;
   std::vector<RecordedMarker> recorded_;
   std::vector<Vec3> p_W_;         ///< of all labels, reflected for a left arm
   std::vector<FramePose> poses_;  ///< of all frames of the rig

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures of cameras to one strict grid of frames, by the cameras' own numbers: a picture that was
-// lost leaves its frame empty, and a stream that falls silent does not stop the frames.
+// Pictures of cameras as the frames of a session, by their places in the grid of the cameras: a
+// picture that was lost leaves its frame empty, and a stream that falls silent does not stop the
+// frames.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +12,13 @@
 
 namespace isograsp::session {
 
-class PictureGrid {
+class PictureReader {
  public:
   /// A picture that does not come is waited for this long beyond its time: longer than a network
-  /// delays one, no longer than is silence (isotonic arms: 50 ms).
+  /// delays one, no longer than what counts as silence.
   static constexpr double kPatience_s = 0.05;
 
-  PictureGrid(MarkerDevice& device, double period_s, Timestamp start) noexcept
+  PictureReader(MarkerDevice& device, double period_s, Timestamp start) noexcept
       : device_(device), period_s_(period_s), last_(start) {}
 
   /// The next frame; false: there will be none any more. Real-time safe.
@@ -40,11 +41,10 @@ class PictureGrid {
   Timestamp last_;               ///< stamp of the newest picture, or the start
   std::int64_t last_frame_ = 0;  ///< its frame
   std::int64_t frame_ = -1;
-  std::optional<std::int64_t> base_;  ///< number of the picture that belongs to frame 0
+  std::optional<std::int64_t> first_number_;  ///< of the picture that belongs to frame 0
   MarkerSample sample_;
   bool waiting_ = false;      ///< sample_ belongs to a later frame
   bool has_picture_ = false;  ///< sample_ belongs to this one
-  bool was_silent_ = false;   ///< frames passed without waiting for a later picture
   Timestamp stamp_{0};
 };
 

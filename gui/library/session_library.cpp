@@ -13,6 +13,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// What these windows cannot measure (gui/presenter/window_apparatuses.hpp) is no choice of a
+/// session; the library shows its files all the same.
+constexpr std::string_view kNotInWindows = "arm";
+
 std::vector<std::string> files_in(const fs::path& folder) {
   std::vector<std::string> files;
   std::error_code unreadable;
@@ -49,14 +53,15 @@ SessionLibrary read_session_library(const std::string& shipped, const std::strin
       auto spec = session::load_task(file);
       if (!spec)
         library.problems.push_back(words_of(spec.error()));
-      else if (is_free(task_names, spec->name, file))
+      else if (spec->apparatus() != kNotInWindows && is_free(task_names, spec->name, file))
         library.tasks.push_back(*std::move(spec));
     }
     for (const auto& file : files_in(fs::path(folder) / "protocols")) {
       auto protocol = session::read_protocol(file, shipped);
       if (!protocol)
         library.problems.push_back(words_of(protocol.error()));
-      else if (is_free(protocol_names, protocol->spec.name, file))
+      else if (protocol->apparatus() != kNotInWindows &&
+               is_free(protocol_names, protocol->spec.name, file))
         library.protocols.push_back(*std::move(protocol));
     }
   }

@@ -43,7 +43,11 @@ std::vector<Scheme> schemes() {
   std::vector<Scheme> all{
       {"sim://healthy", "simulated sensors, pressed by a healthy virtual patient", "nothing"},
       {"sim://paretic", "simulated sensors, pressed by a paretic virtual patient", "nothing"},
-      {"replay://FILE.csv?speed=1", "a recorded finger-forces file", "the file"}};
+      {"replay://FILE.csv?speed=1", "a recorded finger-forces file", "the file"},
+      {"sim://arm?patient=healthy", "an arm with markers, moved by a virtual patient", "nothing"},
+      {"replay://FILE?rig=RIG", "a recording of markers (C3D, TRC, TSV, CSV)", "the file, a rig"},
+      {"qtm://HOST?rig=RIG", "markers from Qualisys Track Manager", "its computer, a rig"},
+      {"natnet://HOST?rig=RIG", "markers from Motive (NatNet)", "its computer, a rig"}};
   constexpr std::array<std::string_view, 3> kBuses{"can://IFACE", "udp://HOST,HOST,HOST",
                                                    "serial://PORT,PORT,PORT"};
   for (const auto address : kBuses)

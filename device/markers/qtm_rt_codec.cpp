@@ -40,14 +40,15 @@ std::string_view text_in(std::span<const std::uint8_t> bytes) noexcept {
 /// Elements within elements, at most so many: the parser works by recursion. QTM needs six.
 constexpr int kDeepestXml = 64;
 
-/// Passes over markup from `at` on, up to behind `end`; to the end of the text if that is not there.
+/// Passes over markup from `at` on, up to behind `end`; to the end of the text if that is not
+/// there.
 std::size_t behind(std::string_view xml, std::size_t at, std::string_view end) noexcept {
   const auto found = xml.find(end, at);
   return found == std::string_view::npos ? xml.size() : found + end.size();
 }
 
-/// Whether elements are nested deeper than kDeepestXml. Quotes in tags, comments and text that is no
-/// markup are passed over as a parser does.
+/// Whether elements are nested deeper than kDeepestXml. Quotes in tags, comments and text that is
+/// no markup are passed over as a parser does.
 bool is_nested_too_deeply(std::string_view xml) noexcept {
   int depth = 0;
   for (std::size_t at = xml.find('<'); at < xml.size(); at = xml.find('<', at)) {

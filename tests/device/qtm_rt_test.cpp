@@ -230,8 +230,8 @@ TEST(QtmRt, AStreamThatHasLostItsWayIsRefused) {
 TEST(QtmRt, ParametersThatAreNestedTooDeeplyAreRefusedNotParsed) {
   const auto taken = [](const std::string& xml) {
     QtmRtStream stream;
-    const auto done = stream.take(packet(2, Bytes(xml.begin(), xml.end())),
-                                  [](const QtmRtStream::Row&) {});
+    const auto done =
+        stream.take(packet(2, Bytes(xml.begin(), xml.end())), [](const QtmRtStream::Row&) {});
     return done ? std::string("taken") : done.error().message();
   };
   std::string deep, hidden;

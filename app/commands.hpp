@@ -20,6 +20,7 @@ void add_emulate(CommandLine& line);
 void add_export(CommandLine& line);
 void add_grasp(CommandLine& line);
 void add_gui(CommandLine& line);
+void add_hand(CommandLine& line);
 void add_import(CommandLine& line);
 void add_markers(CommandLine& line);
 void add_monitor(CommandLine& line);

@@ -54,7 +54,7 @@ Result<void> import_recording(const ImportOptions& options) {
   const auto spec = session::parse_recording(*text, path);
   if (!spec) return spec.error();
   // All of it is read before anything is written.
-  const auto trials = session::read_recording(*spec, options.folder);
+  const auto trials = session::read_recording(*spec, options.folder, library_folder());
   if (!trials) return trials.error();
   const auto store = storage::open_store(options.database, storage::OpenMode::create);
   if (!store) return store.error();

@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
   isograsp::app::add_export(line);
   isograsp::app::add_grasp(line);
   isograsp::app::add_gui(line);
+  isograsp::app::add_hand(line);
   isograsp::app::add_import(line);
   isograsp::app::add_markers(line);
   isograsp::app::add_monitor(line);

@@ -328,30 +328,37 @@ std::vector<std::string> TomlReader::text_or_texts(std::string_view key) {
   return texts(key);
 }
 
-std::vector<Vec3> TomlReader::vec3s(std::string_view key) {
+std::vector<std::vector<double>> TomlReader::number_lists(std::string_view key,
+                                                          std::size_t length) {
   const toml::node* node = take(*document_, *node_, key, true);
-  std::vector<Vec3> points;
-  if (node == nullptr) return points;
+  std::vector<std::vector<double>> lists;
+  if (node == nullptr) return lists;
   const toml::array* array = node->as_array();
   if (array == nullptr) {
-    fail(key, "is %1, not an array of points"_text(kind_of(*node)),
-         "write each as three numbers in brackets"_text);
-    return points;
+    fail(key, "is %1, not an array of lists"_text(kind_of(*node)),
+         "write each as %1 numbers in brackets"_text(length));
+    return lists;
   }
   for (const auto& item : *array) {
-    const toml::array* point = item.as_array();
-    Vec3 values = Vec3::Zero();
-    bool good = point != nullptr && point->size() == 3;
-    for (std::size_t i = 0; good && i < 3; ++i) {
-      const auto value = finite_number(*point->get(i));
+    const toml::array* list = item.as_array();
+    std::vector<double> values(length, 0.0);
+    bool good = list != nullptr && list->size() == length;
+    for (std::size_t i = 0; good && i < length; ++i) {
+      const auto value = finite_number(*list->get(i));
       good = value.has_value();
-      values[static_cast<Eigen::Index>(i)] = value.value_or(0.0);
+      values[i] = value.value_or(0.0);
     }
     if (!good)
-      fail(key, "holds %1 that is not three finite numbers"_text(kind_of(item)),
-           "write each as three numbers in brackets"_text);
-    points.push_back(values);
+      fail(key, "holds %1 that is not %2 finite numbers"_text(kind_of(item), length),
+           "write each as %1 numbers in brackets"_text(length));
+    lists.push_back(std::move(values));
   }
+  return lists;
+}
+
+std::vector<Vec3> TomlReader::vec3s(std::string_view key) {
+  std::vector<Vec3> points;
+  for (const auto& list : number_lists(key, 3)) points.emplace_back(list[0], list[1], list[2]);
   return points;
 }
 

@@ -55,7 +55,9 @@ class TomlReader {
   std::vector<std::string> texts(std::string_view key, bool required = true);
   /// One text or an array of texts.
   std::vector<std::string> text_or_texts(std::string_view key);
-  /// An array of arrays of three finite numbers.
+  /// An array of arrays of `length` finite numbers each.
+  std::vector<std::vector<double>> number_lists(std::string_view key, std::size_t length);
+  /// The same of three.
   std::vector<Vec3> vec3s(std::string_view key);
 
   /// A table below; absent and not required: an empty table.

@@ -57,9 +57,8 @@ Result<std::unique_ptr<Apparatus>> open_arm(const ApparatusRequest& request) {
   if (!person) return person.error();
   auto device = open_marker_device(uri, person->get());
   if (!device) return device.error();
-  return std::unique_ptr<Apparatus>(
-      std::make_unique<MarkerArm>(*std::move(device), *std::move(rig),
-                                  ArmOptions{request.hand, request.library}, *std::move(person)));
+  return std::unique_ptr<Apparatus>(std::make_unique<MarkerArm>(
+      *std::move(device), *std::move(rig), request.library, *std::move(person)));
 }
 
 }  // namespace isograsp::session

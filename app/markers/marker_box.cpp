@@ -11,7 +11,7 @@
 #include "app/console.hpp"
 #include "app/markers/marker_commands.hpp"
 #include "core/files.hpp"
-#include "kinematics/tables/word_table.hpp"
+#include "core/tables/word_table.hpp"
 #include "statistics/box_plot.hpp"
 #include "statistics/holm.hpp"
 #include "statistics/rank_tests.hpp"

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "core/csv.hpp"
-#include "kinematics/tables/word_table.hpp"
+#include "core/tables/word_table.hpp"
 
 namespace isograsp {
 

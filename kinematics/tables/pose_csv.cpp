@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/csv.hpp"
-#include "kinematics/tables/word_table.hpp"
+#include "core/tables/word_table.hpp"
 
 namespace isograsp {
 

@@ -24,11 +24,16 @@ Result<ArmRig> ArmRig::load(const std::string& name, const std::string& library,
     if (!found) return found.error();
     path = *found;
   }
+  return read(path, hand);
+}
+
+Result<ArmRig> ArmRig::read(const std::string& path, Hand hand) {
   auto text = read_text(path);
   if (!text) return text.error();
   auto rig = parse_rig(*text, path);
   if (!rig) return rig.error();
   ArmRig arm;
+  arm.hand = hand;
   arm.text = *std::move(text);
   arm.chain = chain_of(*rig);
   if (arm.chain.size() != kArmChain.size())

@@ -25,6 +25,7 @@ struct ArmRig {
   /// Markers that are recorded at most: those that the rig names.
   static constexpr std::size_t kMostMarkers = 58;
 
+  Hand hand = Hand::right;
   Rig rig;                         ///< of a left arm mirrored, as everything behind the cameras
   std::string text;                ///< the file as it was: stored with the session
   std::vector<std::string> chain;  ///< names of the frames of kArmChain
@@ -33,6 +34,8 @@ struct ArmRig {
   /// Frame of each segment; nothing: the rig has none.
   std::array<std::optional<std::size_t>, kArmSegmentCount> frame_of{};
 
+  /// Reads the rig of the file `path`. Errors as those of load().
+  [[nodiscard]] static Result<ArmRig> read(const std::string& path, Hand hand);
   /// Reads the rig `name`: a file, or a name in LIBRARY/rigs. Errors: it has no chain of elbow,
   /// forearm, dorsum and object, or no [score] whose object ends it; `uri` is named in errors.
   [[nodiscard]] static Result<ArmRig> load(const std::string& name, const std::string& library,

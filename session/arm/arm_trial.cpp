@@ -45,8 +45,7 @@ void put_task(Sink& sink, const RowFrame& frame, const ArmSnapshot& seen) {
 }
 
 template <class Sink>
-void put_all(Sink sink, const RowFrame& frame, const ArmSnapshot& seen, const ArmTrial& trial) {
-  put_task(sink, frame, seen);
+void put_seen(Sink& sink, const ArmSnapshot& seen, const ArmTrial& trial) {
   sink.begin("arm");
   for (std::size_t s = 0; s < kArmSegmentCount; ++s) {
     if (!trial.has_segment[s]) continue;
@@ -62,6 +61,12 @@ void put_all(Sink sink, const RowFrame& frame, const ArmSnapshot& seen, const Ar
   sink.begin("markers");
   for (std::size_t m = 0; m < trial.markers.size(); ++m)
     put_place(sink, trial.markers[m], seen.markers_W[m]);
+}
+
+template <class Sink>
+void put_all(Sink sink, const RowFrame& frame, const ArmSnapshot& seen, const ArmTrial& trial) {
+  put_task(sink, frame, seen);
+  put_seen(sink, seen, trial);
   put_timing(sink, frame);
 }
 
@@ -90,6 +95,18 @@ std::vector<storage::SignalGroup> ArmTrial::columns() const {
 
 void ArmTrial::write(const RowFrame& frame, const ArmSnapshot& seen, TrialRow& row) const noexcept {
   put_all(ColumnValues{row}, frame, seen, *this);
+}
+
+std::vector<storage::SignalGroup> ArmTrial::seen_columns() const {
+  std::vector<storage::SignalGroup> groups;
+  ColumnNames sink{groups};
+  put_seen(sink, {}, *this);
+  return groups;
+}
+
+void ArmTrial::write_seen(const ArmSnapshot& seen, TrialRow& row) const noexcept {
+  ColumnValues sink{row};
+  put_seen(sink, seen, *this);
 }
 
 std::string ArmTrial::health_json() const {

@@ -18,6 +18,9 @@ class ArmTrial final : public TrialSetup {
  public:
   [[nodiscard]] std::vector<storage::SignalGroup> columns() const override;
   [[nodiscard]] std::string health_json() const override;
+  /// What the cameras show alone: arm and markers, without task and timing.
+  [[nodiscard]] std::vector<storage::SignalGroup> seen_columns() const;
+  void write_seen(const ArmSnapshot& seen, TrialRow& row) const noexcept;
   /// One value per column, in that order. Real-time safe.
   void write(const RowFrame& frame, const ArmSnapshot& seen, TrialRow& row) const noexcept;
 

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/files.hpp"
-#include "device/markers/marker_reader.hpp"
 #include "kinematics/pose_series.hpp"
 #include "kinematics/pose_task.hpp"
 #include "kinematics/postures.hpp"
@@ -23,12 +22,12 @@ bool lasts_longer_than_a_stand_in(double seconds) noexcept {
 }
 }  // namespace
 
-MarkerArm::MarkerArm(std::unique_ptr<MarkerDevice> device, ArmRig rig, ArmOptions options,
+MarkerArm::MarkerArm(std::unique_ptr<MarkerDevice> device, ArmRig rig, std::string library,
                      std::unique_ptr<MarkerSource> person)
     : person_(std::move(person)),
       device_(std::move(device)),
       rig_(std::move(rig)),
-      options_(std::move(options)) {
+      library_(std::move(library)) {
   const MarkerDeviceInfo& of = device_->info();
   info_ = {kKind,       of.description, of.simulated, of.recorded,
            of.period_s, of.delay_s,     of.provenance};
@@ -41,15 +40,9 @@ Result<void> MarkerArm::start(Clock& clock) {
   const MarkerDeviceInfo& of = device_->info();
   info_.period_s = of.period_s;
   info_.description = of.description;
-  auto frames = ArmFrames::compile(rig_.rig, of.labels);
-  if (!frames) return frames.error();
-  frames_ = *std::move(frames);
-  auto recorded = recorded_markers(rig_.rig, of.labels);
-  if (!recorded) return recorded.error();
-  recorded_ = *std::move(recorded);
-  p_W_.resize(of.labels.size());
-  poses_.resize(frames_->frames());
-  now_.marker_count = recorded_.size();
+  auto sight = ArmSight::compile(rig_, of.labels);
+  if (!sight) return sight.error();
+  sight_ = *std::move(sight);
   pictures_.emplace(*device_, info_.period_s, device_->now(clock));
   return {};
 }
@@ -79,7 +72,7 @@ Result<std::vector<PoseReference>> MarkerArm::references(const tasks::TaskSpec& 
     return failed("the start posture of this arm is not known"_text,
                   "hold the start posture for a second first"_text)
         .about("start_posture");
-  const auto path = find_in_library(options_.library, "postures", matching->postures, spec.file);
+  const auto path = find_in_library(library_, "postures", matching->postures, spec.file);
   if (!path) return path.error();
   const auto text = read_text(*path);
   if (!text) return text.error();
@@ -108,7 +101,7 @@ Result<std::unique_ptr<TrialSetup>> MarkerArm::make_trial(const tasks::TaskSpec&
   auto trial = std::make_unique<ArmTrial>();
   trial->spec = spec;
   trial->task = *std::move(task);
-  trial->markers = marker_columns(recorded_);
+  trial->markers = marker_columns(sight_->recorded());
   for (std::size_t s = 0; s < kArmSegmentCount; ++s)
     trial->has_segment[s] = rig_.frame_of[s].has_value();
   storage::TrialRecord& record = trial->record;
@@ -129,30 +122,10 @@ Result<std::unique_ptr<TrialSetup>> MarkerArm::make_trial(const tasks::TaskSpec&
 bool MarkerArm::next() noexcept {
   if (!pictures_->next()) return false;
   now_.session_time_s = pictures_->t_s();
-  see_arm();
-  return true;
-}
-
-void MarkerArm::see_arm() noexcept {
   const MarkerSample* const picture = pictures_->picture();
   now_.picture = picture != nullptr;
-  const bool left = options_.hand == Hand::left;
-  for (std::size_t i = 0; i < p_W_.size(); ++i)
-    p_W_[i] = picture == nullptr ? unseen_marker()
-              : left             ? mirrored(picture->p_W[i])
-                                 : picture->p_W[i];
-  frames_->solve(p_W_, poses_);
-  for (std::size_t s = 0; s < kArmSegmentCount; ++s)
-    now_.segments[s] = rig_.frame_of[s] ? poses_[*rig_.frame_of[s]] : FramePose{};
-  for (std::size_t k = 0; k < kArmLinkCount; ++k) {
-    const Pose& parent = now_.segment(kArmChain[k]).X_W;
-    const Pose& child = now_.segment(kArmChain[k + 1]).X_W;
-    now_.link_angles[k] = is_missing(parent) || is_missing(child)
-                              ? unseen_marker()
-                              : link_angles(parent.q.conjugate() * child.q, rig_.links[k]);
-  }
-  for (std::size_t m = 0; m < recorded_.size(); ++m)
-    now_.markers_W[m] = picture == nullptr ? unseen_marker() : picture->p_W[recorded_[m].label];
+  sight_->see(picture == nullptr ? std::span<const Vec3>() : picture->p_W, now_);
+  return true;
 }
 
 void MarkerArm::begin(Preparation&) noexcept {}

@@ -12,6 +12,7 @@
 #include "device/cameras/marker_device.hpp"
 #include "session/acquisition/apparatus.hpp"
 #include "session/arm/arm_rig.hpp"
+#include "session/arm/arm_sight.hpp"
 #include "session/arm/arm_snapshot.hpp"
 #include "session/arm/arm_trial.hpp"
 #include "session/arm/picture_reader.hpp"
@@ -19,18 +20,13 @@
 
 namespace isograsp::session {
 
-struct ArmOptions {
-  Hand hand = Hand::right;
-  std::string library;  ///< folder with postures/
-};
-
 class MarkerArm final : public Apparatus {
  public:
   static constexpr std::string_view kKind = "arm";
 
-  /// `person` moves a simulated arm and watches the screen; null: nobody is simulated. The device
-  /// shows what it does.
-  MarkerArm(std::unique_ptr<MarkerDevice> device, ArmRig rig, ArmOptions options,
+  /// `library` is a folder with postures/. `person` moves a simulated arm and watches the screen;
+  /// null: nobody is simulated. The device shows what it does.
+  MarkerArm(std::unique_ptr<MarkerDevice> device, ArmRig rig, std::string library,
             std::unique_ptr<MarkerSource> person = nullptr);
 
   [[nodiscard]] const MarkerDeviceInfo& device() const noexcept { return device_->info(); }
@@ -71,24 +67,19 @@ class MarkerArm final : public Apparatus {
   [[nodiscard]] double lateness_s() const noexcept override;
   [[nodiscard]] std::optional<double> latency_s() const noexcept override;
 
-  /// Poses of all frames from the picture of this frame; all missing without one.
-  void see_arm() noexcept;
   [[nodiscard]] Result<std::vector<PoseReference>> references(const tasks::TaskSpec& spec) const;
 
   std::unique_ptr<MarkerSource> person_;
   std::unique_ptr<MarkerDevice> device_;  ///< shows the person
   ArmRig rig_;
-  ArmOptions options_;
+  std::string library_;
   ApparatusInfo info_;
   const Clock* clock_ = nullptr;
   bool streaming_ = false;
 
   // Once it is started.
-  std::optional<ArmFrames> frames_;
+  std::optional<ArmSight> sight_;
   std::optional<PictureReader> pictures_;
-  std::vector<RecordedMarker> recorded_;
-  std::vector<Vec3> p_W_;         ///< of all labels, reflected for a left arm
-  std::vector<FramePose> poses_;  ///< of all frames of the rig
   double last_picture_s_ = 0.0;
   double last_seen_s_ = 0.0;     ///< the object
   std::int64_t trial_rows_ = 0;  ///< of the running trial

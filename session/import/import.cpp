@@ -136,10 +136,8 @@ Result<Imported> store_recording(const RecordingSpec& spec, std::span<const Reco
   session.hand = spec.hand.value_or(Hand::right);
   session.device_uri = "recording://" + std::filesystem::path(spec.path).stem().string();
   session.device_description = spec.device;
-  session.recorded = true;
   session.protocol_name = spec.name;
   session.protocol_text = spec.text;
-  session.rate_Hz = spec.rate_Hz;
   session.software_version = software_version;
   session.cpu_features = cpu_features();
   for (const ImportedGroup& group : groups) {
@@ -150,13 +148,19 @@ Result<Imported> store_recording(const RecordingSpec& spec, std::span<const Reco
       session.patient_id = added->id;
       ++imported.patients;
     }
+    const RecordedTrial& first = group.front();
     session.started_utc = utc_text(begun++);
     session.provenance = provenance_text(spec, group);
+    session.calibration = first.calibration;
+    session.simulated = std::any_of(group.begin(), group.end(),
+                                    [](const RecordedTrial& one) { return one.simulated; });
+    session.recorded = !session.simulated;
+    session.rate_Hz = spec.rate_Hz > 0.0 ? spec.rate_Hz : rate_of(first.signals);
     const auto id = store.begin_session(session);
     if (!id) return id.error();
     int number = 0;
     for (const RecordedTrial& trial : group) {
-      if (const auto done = store_trial(trial, ++number, spec.rate_Hz, *id, store); !done) {
+      if (const auto done = store_trial(trial, ++number, session.rate_Hz, *id, store); !done) {
         static_cast<void>(store.end_session(*id).ok());
         return stopped_after(imported, trials.size(), done.error());
       }

@@ -9,6 +9,7 @@
 #include "core/csv.hpp"
 #include "core/toml_reader.hpp"
 #include "hand/columns.hpp"
+#include "session/arm/marker_arm.hpp"
 #include "storage/records/patient_code.hpp"
 #include "storage/records/session_store.hpp"
 
@@ -105,14 +106,33 @@ void read_who(TomlReader& root, RecordingSpec& spec) {
     spec.hand = root.choice("hand", {"right", "left"}) == 0 ? Hand::right : Hand::left;
 }
 
-void read_layout(TomlReader& root, RecordingSpec& spec) {
-  constexpr double kLeastRate_Hz = 1.0;
-  constexpr double kMostRate_Hz = 1e4;
+void read_files(TomlReader& root, RecordingSpec& spec) {
   spec.file = root.text("file");
   if (spec.file.find('/') != std::string::npos)
     root.fail("file", "holds a folder"_text,
               "name the files only; the folder is given with --from"_text);
   spec.file_keys = keys_in(root, spec.file);
+}
+
+/// Of files with markers: what a table would tell in its columns.
+void read_arm(TomlReader& root, const RecordingSpec& spec) {
+  if (!spec.hand)
+    root.fail("hand", "is missing"_text,
+              "write \"right\" or \"left\": a left arm is seen in its reflection"_text);
+  const auto in_the_name = [&](const char* field, const std::string& key) {
+    if (!key.empty() &&
+        std::find(spec.file_keys.begin(), spec.file_keys.end(), key) == spec.file_keys.end())
+      root.fail(field, "'%1' is no key of `file`"_text(key),
+                "write it in braces where the names of the files have it"_text);
+  };
+  in_the_name("patient", spec.patient_key);
+  in_the_name("session", spec.session_key);
+  for (const std::string& key : spec.trial_keys) in_the_name("trial", key);
+}
+
+void read_table(TomlReader& root, RecordingSpec& spec) {
+  constexpr double kLeastRate_Hz = 1.0;
+  constexpr double kMostRate_Hz = 1e4;
   spec.separator =
       static_cast<RecordingSpec::Separator>(root.choice("separator", {"comma", "tab", "space"}));
   const bool header = root.boolean("header");
@@ -123,6 +143,30 @@ void read_layout(TomlReader& root, RecordingSpec& spec) {
   if (root.has("rate_Hz") && !(spec.rate_Hz >= kLeastRate_Hz && spec.rate_Hz <= kMostRate_Hz))
     root.fail("rate_Hz", "is out of range"_text, "write rows per second, 1 to 10000"_text);
   spec.time_column = root.text("time_column", "");
+  for (TomlReader& table : root.tables("column")) {
+    RecordedColumn column = read_column(table, spec);
+    for (const RecordedColumn& other : spec.columns)
+      if (other.name == column.name)
+        table.fail("name", "appears twice"_text, "give every column its own name"_text);
+    spec.columns.push_back(std::move(column));
+  }
+  if (spec.columns.empty())
+    root.fail("column", "is missing"_text, "add at least one [[column]]"_text);
+}
+
+/// The task is one of those that the files can answer.
+Result<void> check_task(const RecordingSpec& spec) {
+  const std::string where = spec.path + ", task";
+  const auto task = tasks::parse_task(spec.task, where);
+  if (!task) return task.error();
+  const bool of_arm = task->apparatus() == MarkerArm::kKind;
+  if (of_arm == !spec.rig.empty()) return {};
+  return refused(of_arm ? "is one of an arm seen by markers"_text
+                        : "is not one of an arm seen by markers"_text,
+                 of_arm ? "name the rig of the files: rig = \"NAME\""_text
+                        : "choose such a kind, for example active_range"_text)
+      .at(where)
+      .about("kind");
 }
 
 }  // namespace
@@ -140,20 +184,16 @@ Result<RecordingSpec> parse_recording(std::string_view text, const std::string& 
   spec.device = root->text("device");
   spec.notes = root->texts("notes", false);
   spec.unit_reason = root->text("unit_reason", "");
-  read_layout(*root, spec);
+  spec.rig = root->text("rig", "");
+  read_files(*root, spec);
   read_who(*root, spec);
-  for (TomlReader& table : root->tables("column")) {
-    RecordedColumn column = read_column(table, spec);
-    for (const RecordedColumn& other : spec.columns)
-      if (other.name == column.name)
-        table.fail("name", "appears twice"_text, "give every column its own name"_text);
-    spec.columns.push_back(std::move(column));
-  }
-  if (spec.columns.empty())
-    root->fail("column", "is missing"_text, "add at least one [[column]]"_text);
+  if (spec.rig.empty())
+    read_table(*root, spec);
+  else
+    read_arm(*root, spec);
   spec.task = root->text("task");
   if (auto done = root->finish(); !done) return done.error();
-  if (const auto task = tasks::parse_task(spec.task, path + ", task"); !task) return task.error();
+  if (const auto fits = check_task(spec); !fits) return fits.error();
   return spec;
 }
 
@@ -164,10 +204,13 @@ std::vector<std::string> provenance_of(const RecordingSpec& spec) {
                                      std::filesystem::path(spec.path).filename().string() + " (" +
                                      spec.name + ")",
                                  "source: " + spec.source, "licence: " + spec.licence};
-  lines.push_back(spec.time_column.empty()
-                      ? stated + "rate " + format_number(spec.rate_Hz) + " Hz"
-                      : stated + "time is column " + spec.time_column + " in s, about " +
-                            format_number(spec.rate_Hz) + " rows per second");
+  if (!spec.rig.empty())
+    lines.push_back(stated + "segments and links are made of the markers by rig " + spec.rig);
+  else
+    lines.push_back(spec.time_column.empty()
+                        ? stated + "rate " + format_number(spec.rate_Hz) + " Hz"
+                        : stated + "time is column " + spec.time_column + " in s, about " +
+                              format_number(spec.rate_Hz) + " rows per second");
   for (const RecordedColumn& column : spec.columns) {
     constexpr std::array<const char*, 3> kWords{"", "sum of ", "magnitude of "};
     std::string from;

@@ -16,6 +16,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::require_helpful(spec.error(), text);
     return 0;
   }
+  if (!spec->rig.empty()) {
+    fuzz::require(spec->hand.has_value(), "an arm is right or left");
+    fuzz::require(spec->columns.empty(), "markers have no columns");
+    return 0;
+  }
   fuzz::require(spec->rate_Hz > 0.0 && std::isfinite(spec->rate_Hz), "the rate is a number");
   fuzz::require(!spec->columns.empty(), "something is recorded");
   for (const session::RecordedColumn& column : spec->columns) {

@@ -11,12 +11,12 @@
 
 #include "core/csv.hpp"
 #include "core/files.hpp"
-#include "core/random.hpp"
 #include "kinematics/calibration.hpp"
 #include "kinematics/movement.hpp"
 #include "kinematics/rig.hpp"
-#include "kinematics/tables/word_table.hpp"
+#include "tests/support/golden_table.hpp"
 #include "tests/support/must.hpp"
+#include "tests/support/random_pose.hpp"
 
 namespace isograsp::test {
 
@@ -28,33 +28,12 @@ inline Rig golden_rig(const std::string& name) {
   return must(parse_rig(must(read_text(golden(name))), name));
 }
 
-/// One row of a table of reference values.
-using Fields = std::map<std::string, std::string>;
-
-inline std::vector<Fields> golden_table(const std::string& path) {
-  auto table = must(WordTable::open(path));
-  std::vector<Fields> rows;
-  while (must(table.next())) {
-    Fields row;
-    for (std::size_t c = 0; c < table.columns().size(); ++c)
-      row[table.columns()[c]] = std::string(table.word(c));
-    rows.push_back(std::move(row));
-  }
-  return rows;
-}
-
 /// By movement, name and channel, for comparing with tables of reference values.
 inline std::map<std::string, Measure> by_movement(const std::vector<MovementMeasure>& measures) {
   std::map<std::string, Measure> all;
   for (const auto& [movement, measure] : measures)
     all[std::to_string(movement) + " " + measure.name + " " + measure.channel] = measure;
   return all;
-}
-
-/// NaN where the field is empty.
-inline double number_in(const Fields& row, const std::string& column) {
-  const std::string& text = row.at(column);
-  return text.empty() ? kMissing : std::strtod(text.c_str(), nullptr);
 }
 
 inline Pose pose_in(const Fields& row, const std::string& name) {
@@ -82,26 +61,5 @@ inline MarkerRows golden_markers(const std::string& name) {
 /// Of a position [m] and an attitude [rad] against independent reference values.
 inline constexpr double kGoldenPosition_m = 1e-9;
 inline constexpr double kGoldenAngle_rad = 1e-8;
-
-inline Vec3 random_vector(Random& random, double size) {
-  const auto one = [&] { return size * (2.0 * random.uniform() - 1.0); };
-  const double x = one(), y = one(), z = one();
-  return {x, y, z};
-}
-
-inline Quat random_attitude(Random& random) {
-  for (;;) {
-    const Vec3 v = random_vector(random, 1.0);
-    const double w = 2.0 * random.uniform() - 1.0;
-    const double length = std::sqrt(v.squaredNorm() + w * w);
-    if (length > 0.1 && length < 1.0)
-      return Quat(w / length, v.x() / length, v.y() / length, v.z() / length);
-  }
-}
-
-inline Pose random_pose(Random& random) {
-  const Vec3 p = random_vector(random, 2.0);
-  return {p, random_attitude(random)};
-}
 
 }  // namespace isograsp::test

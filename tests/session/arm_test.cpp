@@ -112,7 +112,7 @@ struct Bench {
     cameras_ = cameras.get();
     arm_ = std::make_unique<MarkerArm>(
         std::move(cameras), test::must(ArmRig::load("kurillo15_trunk", kLibrary, hand, "test://")),
-        ArmOptions{hand, kLibrary});
+        kLibrary);
     EXPECT_TRUE(arm_->start(clock_));
     acquisition_.emplace(apparatus(), clock_);
   }

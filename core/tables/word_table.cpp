@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinematics/tables/word_table.hpp"
+#include "core/tables/word_table.hpp"
 
 #include <algorithm>
 

@@ -41,6 +41,7 @@ Result<PoseTask> parse_pose_task(std::string_view text, const std::string& file)
   PoseTask task;
   task.name = root->text("name", "");
   task.frame = root->text("frame");
+  task.postures_hash = root->text("postures_hash", "");
   task.position_tolerance_m = above_zero(*root, "position_tolerance_m");
   task.angle_tolerance_rad = above_zero(*root, "angle_tolerance_deg") * (std::numbers::pi / 180.0);
   task.hold_s = not_negative(*root, "hold_s", 0.0);
@@ -79,15 +80,16 @@ std::string pose_task_text(const PoseTask& task) {
   std::string sequence;
   for (const std::size_t target : task.targets)
     sequence += (sequence.empty() ? "" : ", ") + toml_text(task.references[target].name);
-  std::string text = "format = \"isograsp-pose-task-1\"\nname = " + toml_text(task.name) +
-                     "\nframe = " + toml_text(task.frame) +
-                     "\nposition_tolerance_m = " + format_number(task.position_tolerance_m) +
-                     "\nangle_tolerance_deg = " +
-                     format_number(task.angle_tolerance_rad * (180.0 / std::numbers::pi)) +
-                     "\nhold_s = " + format_number(task.hold_s) +
-                     "\ndisplay_s = " + format_number(task.display_s) +
-                     "\ntime_limit_s = " + format_number(task.time_limit_s) + "\nsequence = [" +
-                     sequence + "]\n";
+  std::string text =
+      "format = \"isograsp-pose-task-1\"\nname = " + toml_text(task.name) +
+      "\nframe = " + toml_text(task.frame) +
+      (task.postures_hash.empty() ? "" : "\npostures_hash = " + toml_text(task.postures_hash)) +
+      "\nposition_tolerance_m = " + format_number(task.position_tolerance_m) +
+      "\nangle_tolerance_deg = " +
+      format_number(task.angle_tolerance_rad * (180.0 / std::numbers::pi)) +
+      "\nhold_s = " + format_number(task.hold_s) +
+      "\ndisplay_s = " + format_number(task.display_s) +
+      "\ntime_limit_s = " + format_number(task.time_limit_s) + "\nsequence = [" + sequence + "]\n";
   for (const PoseReference& reference : task.references)
     text += "\n[[reference]]\nname = " + toml_text(reference.name) +
             "\nposition_m = " + toml_numbers(reference.X_WR.p) +

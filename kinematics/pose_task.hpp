@@ -21,6 +21,9 @@ struct PoseReference {
 struct PoseTask {
   std::string name;
   std::string frame;  ///< which frame is brought to the references
+  /// Of the postures from which the references were adapted to one arm on one day (a hash of their
+  /// file): what stays the same from day to day. Empty: not told.
+  std::string postures_hash;
   std::vector<PoseReference> references;
   std::vector<std::size_t> targets;  ///< indices of references, the sequence repeated
   double position_tolerance_m = 0.0;

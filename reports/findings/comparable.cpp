@@ -7,6 +7,8 @@
 #include "core/ties.hpp"
 #include "core/time.hpp"
 #include "hand/platform_records.hpp"
+#include "kinematics/pose_task.hpp"
+#include "tasks/task_spec.hpp"
 
 namespace isograsp::reports {
 
@@ -15,6 +17,18 @@ namespace {
 VisualGain gain_of(const storage::References& references) {
   return {storage::value_of(references, platform::kVisualGain_deg_per_N),
           storage::value_of(references, platform::kMaximumForce_N)};
+}
+
+/// What the references of a trial come from; a file that does not tell it is all there is.
+std::string postures_of(const std::string& scene_text) {
+  if (scene_text.empty()) return "";
+  const auto references = parse_pose_task(scene_text, "");
+  return references && !references->postures_hash.empty() ? references->postures_hash : scene_text;
+}
+
+bool is_of_an_arm(const storage::TrialRecord& trial) {
+  const auto task = tasks::parse_task(trial.task_text, "");
+  return task && task->apparatus() == kArm;
 }
 
 }  // namespace
@@ -37,11 +51,15 @@ bool same_gain(const VisualGain& a, const VisualGain& b) {
 Conditions conditions_of(const StoredTrial& trial) {
   const storage::SessionRecord& session = *trial.session_record;
   return {session.rate_Hz, session.device_delay_s, session.display_delay_s,
-          gain_of(trial.trial.references)};
+          gain_of(trial.trial.references),
+          is_of_an_arm(trial.trial)
+              ? ArmConditions{session.calibration, postures_of(trial.trial.scene_text)}
+              : ArmConditions{}};
 }
 
 Conditions conditions_of(const storage::PooledValue& value) {
-  return {value.rate_Hz, value.device_delay_s, value.display_delay_s, gain_of(value.references)};
+  return {value.rate_Hz, value.device_delay_s, value.display_delay_s, gain_of(value.references),
+          ArmConditions{value.calibration, postures_of(value.scene_text)}};
 }
 
 Text difference(const Conditions& a, const Conditions& b) {
@@ -52,6 +70,8 @@ Text difference(const Conditions& a, const Conditions& b) {
   if (!same_display) return "other delay of the display"_text;
   if (!are_tied(a.rate_Hz, b.rate_Hz)) return "other frame rate"_text;
   if (!same_gain(a.gain, b.gain)) return "other visual gain"_text;
+  if (a.arm.rig != b.arm.rig) return "other rig of markers"_text;
+  if (a.arm.postures != b.arm.postures) return "other postures"_text;
   return {};
 }
 
@@ -60,15 +80,18 @@ Text difference(const StoredTrial& a, const StoredTrial& b) {
     return "other source of forces"_text;
   if (a.trial.task_version != b.trial.task_version) return "other version of the task"_text;
   if (a.trial.task_text != b.trial.task_text) return "other task parameters"_text;
-  if (a.trial.scene_text != b.trial.scene_text) return "other object or scene"_text;
-  return difference(conditions_of(a), conditions_of(b));
+  const Conditions of_a = conditions_of(a);
+  if (of_a.arm.rig.empty() && a.trial.scene_text != b.trial.scene_text)
+    return "other object or scene"_text;
+  return difference(of_a, conditions_of(b));
 }
 
 storage::PoolQuery pool_query(const StoredTrial& like, const MeasureSeries& measure) {
+  const bool of_arm = !conditions_of(like).arm.rig.empty();
   return {like.trial.task_name,
           like.trial.task_version,
           like.trial.task_text,
-          like.trial.scene_text,
+          of_arm ? std::nullopt : std::optional(like.trial.scene_text),
           measure.name,
           measure.channel,
           measure.unit,

@@ -22,12 +22,21 @@ struct VisualGain {
 };
 [[nodiscard]] bool same_gain(const VisualGain& a, const VisualGain& b);
 
+/// What decides how an arm seen by markers is measured, beside its task. References are adapted to
+/// the arm of each day: what they come from is compared, not they.
+struct ArmConditions {
+  std::string rig;       ///< its file; empty: forces were measured
+  std::string postures;  ///< hash of their file; empty: the task shows no reference
+  bool operator==(const ArmConditions&) const = default;
+};
+
 /// What a trial was measured and shown with.
 struct Conditions {
   double rate_Hz = 0.0;
   double device_delay_s = 0.0;
   std::optional<double> display_delay_s;  ///< lags are corrected by it; nothing: they are not
   VisualGain gain;
+  ArmConditions arm;
 };
 [[nodiscard]] Conditions conditions_of(const StoredTrial& trial);
 [[nodiscard]] Conditions conditions_of(const storage::PooledValue& value);

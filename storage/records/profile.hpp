@@ -111,7 +111,9 @@ struct PoolQuery {
   std::string task_name;
   int task_version = 1;
   std::string task_text;
-  std::string scene_text;
+  /// Nothing: of any; the reader compares PooledValue::scene_text and calibration, as references of
+  /// an arm differ from day to day.
+  std::optional<std::string> scene_text;
   std::string measure;
   std::string channel;
   std::string unit;
@@ -136,6 +138,8 @@ struct PooledValue {
   double device_delay_s = 0.0;
   std::optional<double> display_delay_s;
   References references;        ///< of the trial
+  std::string scene_text;       ///< of the trial, where the query names none; else empty
+  std::string calibration;      ///< of the session, likewise
   std::optional<double> value;  ///< nothing: the trial has none
   int measure_version = 1;      ///< of the stored value: that of the query, or an older one
 };

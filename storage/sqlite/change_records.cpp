@@ -180,20 +180,24 @@ Result<std::vector<PooledValue>> SqliteStore::pooled_values(const PoolQuery& que
         .get("s.device_delay_s", one.device_delay_s)
         .get(display_delay_query("s.id"), one.display_delay_s, display_delay_from)
         .get("m.value", one.value);
+    if (!query.scene_text)
+      row.get("t.scene_text", one.scene_text).get("s.calibration", one.calibration);
     // CROSS JOIN: from the few people down to the trials, never through all measures.
-    row.select("FROM " + people +
-                   "LEFT JOIN patient_profiles f ON f.patient_id = p.patient_id "
-                   "CROSS JOIN trials t ON t.session_id = s.id "
-                   "CROSS JOIN measures m ON m.trial_id = t.id "
-                   "WHERE s.simulated = :simulated AND s.recorded = :recorded "
-                   "AND t.task_name = :task AND t.task_version = :task_version "
-                   "AND t.status = 'completed' AND t.practice = 0 AND t.helped = 0 "
-                   "AND t.task_text = :text AND t.scene_text = :scene AND m.name = :measure "
-                   "AND m.channel = :channel AND m.unit = :unit AND m.version <= :version "
-                   "ORDER BY p.patient_id, s.started_utc, s.id, t.number",
-               {std::int64_t{simulated}, std::int64_t{recorded}, query.task_name,
-                query.task_version, query.task_text, query.scene_text, query.measure, query.channel,
-                query.unit, query.measure_version});
+    row.select(
+        "FROM " + people +
+            "LEFT JOIN patient_profiles f ON f.patient_id = p.patient_id "
+            "CROSS JOIN trials t ON t.session_id = s.id "
+            "CROSS JOIN measures m ON m.trial_id = t.id "
+            "WHERE s.simulated = :simulated AND s.recorded = :recorded "
+            "AND t.task_name = :task AND t.task_version = :task_version "
+            "AND t.status = 'completed' AND t.practice = 0 AND t.helped = 0 "
+            "AND t.task_text = :text AND (:any_scene = 1 OR t.scene_text = :scene) AND m.name = "
+            ":measure "
+            "AND m.channel = :channel AND m.unit = :unit AND m.version <= :version "
+            "ORDER BY p.patient_id, s.started_utc, s.id, t.number",
+        {std::int64_t{simulated}, std::int64_t{recorded}, query.task_name, query.task_version,
+         query.task_text, std::int64_t{query.scene_text ? 0 : 1}, query.scene_text.value_or(""),
+         query.measure, query.channel, query.unit, query.measure_version});
     while (row.fetch()) {
       // The same trial again: its result in another version.
       if (!all.empty() && all.back().trial_id == one.trial_id &&

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/files.hpp"
+#include "kinematics/pose_task.hpp"
 #include "reports/findings/comparable.hpp"
 #include "reports/findings/task_section.hpp"
 
@@ -68,6 +69,52 @@ TEST(Conditions, DifferByMoreThanTheLastBitOfADelay) {
   other = one;
   other.device_delay_s = 0.301;
   EXPECT_EQ(english(difference(one, other)), "other filter delay of the device");
+}
+
+/// A trial of an arm whose references, adapted to it, are those of `postures` moved by `x_m`.
+StoredTrial arm_trial(const storage::SessionRecord& session, const std::string& postures,
+                      double x_m) {
+  StoredTrial trial;
+  trial.session_record = &session;
+  trial.trial.task_text =
+      read_text(std::string(ISOGRASP_SOURCE_DIR) + "/library/tasks/arm_screw.toml").value();
+  PoseTask task;
+  task.frame = "object";
+  task.postures_hash = postures;
+  task.references = {{"turned", {Vec3(x_m, 0.0, 0.0), Quat::Identity()}}};
+  task.targets = {0};
+  task.position_tolerance_m = task.angle_tolerance_rad = 0.1;
+  task.time_limit_s = 10.0;
+  trial.trial.scene_text = pose_task_text(task);
+  return trial;
+}
+
+TEST(Conditions, OfAnArmReferencesMayBeAdaptedToEachDayButRigAndPosturesStayTheSame) {
+  storage::SessionRecord session;
+  session.calibration = "the rig";
+  const StoredTrial first = arm_trial(session, "0a1b", 0.1);
+  EXPECT_EQ(english(difference(first, arm_trial(session, "0a1b", 0.2))), "");
+  EXPECT_EQ(english(difference(first, arm_trial(session, "2c3d", 0.1))), "other postures");
+  storage::SessionRecord other = session;
+  other.calibration = "another rig";
+  EXPECT_EQ(english(difference(first, arm_trial(other, "0a1b", 0.1))), "other rig of markers");
+  EXPECT_FALSE(pool_query(first, {}).scene_text) << "the reader compares what references come from";
+}
+
+TEST(Conditions, OfForcesTheSceneDecidesAndTheCalibrationOfTheSensorsDoesNot) {
+  storage::SessionRecord session;
+  session.calibration = "one calibration";
+  storage::SessionRecord later = session;
+  later.calibration = "the next one";
+  StoredTrial first = arm_trial(session, "", 0.1);
+  first.trial.task_text =
+      read_text(std::string(ISOGRASP_SOURCE_DIR) + "/library/tasks/free_handling.toml").value();
+  StoredTrial second = first;
+  second.session_record = &later;
+  EXPECT_EQ(english(difference(first, second)), "");
+  second.trial.scene_text += "# another object\n";
+  EXPECT_EQ(english(difference(first, second)), "other object or scene");
+  EXPECT_EQ(pool_query(first, {}).scene_text, first.trial.scene_text);
 }
 
 }  // namespace

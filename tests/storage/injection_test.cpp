@@ -86,7 +86,8 @@ TEST_F(ProtectedClinic, SqlInAnyTextStaysText) {
     must(store->add_event(session_id, {trial.id, 0.0, "note", text}));
     EXPECT_EQ(must(store->events(session_id)).back().text, text);
     PoolQuery query;
-    query.task_name = query.task_text = query.scene_text = query.measure = text;
+    query.scene_text = text;
+    query.task_name = query.task_text = query.measure = text;
     query.channel = query.unit = text;
     must(store->stable_values(query));
     must(store->end_session(session_id, text));

@@ -31,6 +31,10 @@ Result<ArmRig> ArmRig::load(const std::string& name, const std::string& library,
   ArmRig arm;
   arm.text = *std::move(text);
   arm.chain = chain_of(*rig);
+  if (rig->frames.empty()) {
+    arm.rig = *std::move(rig);
+    return arm;
+  }
   if (arm.chain.size() != kArmChain.size())
     return refused("has no chain of elbow, forearm, back of the hand and object"_text,
                    "give it three [[link]] from the elbow to the object"_text)

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "core/spatial.hpp"
+#include "hand/arm_links.hpp"
 #include "hand/columns.hpp"
 
 namespace isograsp {
@@ -16,19 +17,6 @@ inline constexpr std::array<std::string_view, kArmSegmentCount> kArmSegmentNames
     "brace", "trunk", "elbow", "forearm", "dorsum", "object"};
 [[nodiscard]] constexpr std::size_t index_of(ArmSegment segment) noexcept {
   return static_cast<std::size_t>(segment);
-}
-
-/// Links between them, called after what turns.
-enum class ArmLink : std::uint8_t {
-  forearm,  ///< elbow to forearm
-  wrist,    ///< forearm to the back of the hand
-  fingers   ///< back of the hand to the object
-};
-inline constexpr std::size_t kArmLinkCount = 3;
-inline constexpr std::array<std::string_view, kArmLinkCount> kArmLinkNames{"forearm", "wrist",
-                                                                           "fingers"};
-[[nodiscard]] constexpr std::size_t index_of(ArmLink link) noexcept {
-  return static_cast<std::size_t>(link);
 }
 
 namespace columns {

@@ -5,8 +5,10 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "core/spatial.hpp"
+#include "hand/arm_links.hpp"
 #include "hand/cue.hpp"
 #include "hand/finger.hpp"
 #include "hand/force_channel.hpp"
@@ -53,6 +55,8 @@ struct Stimulus {
   Vec3 w_WO_W = Vec3::Zero();      ///< [rad/s]
   bool pose_target_shown = false;  ///< false: X_WT is that of the object
   Pose X_WT;
+  /// Of an arm: this angle is to be turned to and fro, as far as it goes.
+  std::optional<LinkAngle> turn;
   std::array<bool, kFingerCount> contact{};    ///< virtual finger touches (drawn green)
   std::array<double, kFingerCount> press_N{};  ///< >= 0, by which a virtual finger approaches
 };

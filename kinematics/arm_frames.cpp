@@ -55,6 +55,7 @@ class ArmFrames::Compiler {
   ArmFrames compile() {
     for (const RigFrame& frame : rig_.frames)
       std::visit([this](const auto& method) { add(method); }, frame.method);
+    for (const std::string& marker : rig_.markers) static_cast<void>(named(marker));
     out_.last_.assign(out_.frames_.size(), missing_pose().q);
     out_.absent_.assign(absent_.begin(), absent_.end());
     return std::move(out_);

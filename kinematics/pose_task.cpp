@@ -100,24 +100,16 @@ std::string pose_task_text(const PoseTask& task) {
 void PoseTaskRun::cue(double t_s) noexcept {
   matched_ = false;
   cue_s_ = t_s;
-  cue_c_ = t_s - pauses_s_;
+  cue_c_ = t_s - clock_.pauses_s();
   enter_s_.reset();
   position_sum_m_ = angle_sum_rad_ = 0.0;
   rows_ = 0;
 }
 
-double PoseTaskRun::c(double t_s) const noexcept {
-  return std::min(t_s, last_valid_s_ + kLongestStandIn_s) - pauses_s_;
-}
-
-double PoseTaskRun::clock_s(double t_s) const noexcept {
-  return started_ ? c(t_s) - first_c_ : 0.0;
-}
-
 double PoseTaskRun::hold_fraction(double t_s) const noexcept {
   if (matched_) return 1.0;
   if (!enter_s_ || task_.hold_s <= 0.0) return 0.0;
-  return std::clamp((c(t_s) - enter_c_) / task_.hold_s, 0.0, 1.0);
+  return std::clamp((clock_.at(t_s) - enter_c_) / task_.hold_s, 0.0, 1.0);
 }
 
 PoseEvent PoseTaskRun::ended() const noexcept {
@@ -136,7 +128,7 @@ PoseEvent PoseTaskRun::ended() const noexcept {
 }
 
 std::optional<PoseEvent> PoseTaskRun::seek(double t_s, const Pose& X_WO) noexcept {
-  const double c = t_s - pauses_s_;
+  const double c = t_s - clock_.pauses_s();
   const Pose& X_WR = task_.references[task_.targets[target_]].X_WR;
   const bool inside = (X_WO.p - X_WR.p).norm() <= task_.position_tolerance_m &&
                       angle_between(X_WO.q, X_WR.q) <= task_.angle_tolerance_rad;
@@ -161,23 +153,14 @@ std::optional<PoseEvent> PoseTaskRun::seek(double t_s, const Pose& X_WO) noexcep
 
 std::optional<PoseEvent> PoseTaskRun::step(double t_s, const Pose& X_WO) noexcept {
   if (finished()) return std::nullopt;
-  const bool held = is_missing(X_WO);
-  if (held && (!started_ || t_s - last_valid_s_ > kLongestStandIn_s + kMarkerTimeSlack_s))
-    return std::nullopt;
-  if (!started_) {
-    started_ = true;
-    cue(t_s);
-    first_c_ = cue_c_;
-  } else if (!held && t_s - last_valid_s_ > kLongestStandIn_s + kMarkerTimeSlack_s) {
-    pauses_s_ += t_s - last_valid_s_ - kLongestStandIn_s;
-    if (!matched_) enter_s_.reset();
-  }
-  if (!held) {
-    last_ = X_WO;
-    last_valid_s_ = t_s;
-  }
+  const Sight sight = clock_.step(t_s, !is_missing(X_WO));
+  if (sight == Sight::hidden) return std::nullopt;
+  const bool held = sight == Sight::held;
+  if (sight == Sight::first) cue(t_s);
+  if (sight == Sight::again && !matched_) enter_s_.reset();
+  if (!held) last_ = X_WO;
   std::optional<PoseEvent> event;
-  if (matched_ && has_passed(t_s - pauses_s_ - done_c_, task_.display_s)) {
+  if (matched_ && has_passed(t_s - clock_.pauses_s() - done_c_, task_.display_s)) {
     event = ended();
     ++target_;
     cue(t_s);

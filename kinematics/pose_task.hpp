@@ -10,6 +10,7 @@
 
 #include "core/result.hpp"
 #include "kinematics/attitude.hpp"
+#include "kinematics/sight_clock.hpp"
 
 namespace isograsp {
 
@@ -49,9 +50,9 @@ struct PoseEvent {
   std::optional<double> angle_error_rad;
 };
 
-/// The automaton. Real-time: step() allocates nothing. Task clock c = t - pauses. A missing pose is
-/// replaced by the last one for 50 ms; then everything stands still. When the next pose comes, the
-/// part of the gap above 50 ms is added to the pauses, and a stay begins anew.
+/// The automaton. Real-time: step() allocates nothing. Task clock c = t - pauses (SightClock). A
+/// missing pose is replaced by the last one for 50 ms; then everything stands still. When the next
+/// pose comes, a stay begins anew.
 class PoseTaskRun {
  public:
   explicit PoseTaskRun(const PoseTask& task) noexcept : task_(task) {}
@@ -67,30 +68,25 @@ class PoseTaskRun {
   [[nodiscard]] std::size_t target() const noexcept { return target_; }
   [[nodiscard]] bool matched() const noexcept { return matched_; }
   /// The first pose was seen.
-  [[nodiscard]] bool started() const noexcept { return started_; }
+  [[nodiscard]] bool started() const noexcept { return clock_.started(); }
   /// The stay that may reach the target has begun.
   [[nodiscard]] bool inside() const noexcept { return enter_s_.has_value(); }
   /// The task's clock since the first cue [s].
-  [[nodiscard]] double clock_s(double t_s) const noexcept;
+  [[nodiscard]] double clock_s(double t_s) const noexcept { return clock_.elapsed_s(t_s); }
   /// How much of the stay that reaches the target is over, 0 … 1.
   [[nodiscard]] double hold_fraction(double t_s) const noexcept;
   /// How long the running target has been sought on the task's clock [s].
-  [[nodiscard]] double sought_s(double t_s) const noexcept { return c(t_s) - cue_c_; }
+  [[nodiscard]] double sought_s(double t_s) const noexcept { return clock_.at(t_s) - cue_c_; }
 
  private:
-  /// The task's clock; it stands still 50 ms after the last pose.
-  [[nodiscard]] double c(double t_s) const noexcept;
   void cue(double t_s) noexcept;
   [[nodiscard]] PoseEvent ended() const noexcept;
   std::optional<PoseEvent> seek(double t_s, const Pose& X_WO) noexcept;
 
   const PoseTask& task_;
   std::size_t target_ = 0;
-  bool started_ = false;
   bool matched_ = false;
-  double first_c_ = 0.0;  ///< the first cue, on the task's clock
-  double pauses_s_ = 0.0;
-  double last_valid_s_ = 0.0;
+  SightClock clock_;
   Pose last_ = missing_pose();
   double cue_s_ = 0.0, cue_c_ = 0.0;  ///< record time, task clock
   std::optional<double> enter_s_;

@@ -156,17 +156,22 @@ Postures part_of_the_way(Postures library, double way) {
   return library;
 }
 
+Pose change_of_link(const Postures& library, std::size_t index, std::size_t l,
+                    const StartPosture& start, SizeScale scale) {
+  const Pose& X_00 = library.postures.front().X_L[l];
+  Pose change = compose(inverse(X_00), library.postures[index].X_L[l]);
+  const double length_m = X_00.p.norm();
+  if (scale == SizeScale::length && length_m > 0.0) change.p *= start.X_L[l].p.norm() / length_m;
+  return change;
+}
+
 Pose adapted(const Postures& library, std::size_t index, const StartPosture& start,
              SizeScale scale) {
   Pose X_WO = start.X_W;
   const Posture& initial = library.postures.front();
-  for (std::size_t l = 0; l < initial.X_L.size(); ++l) {
-    const Pose& X_00 = initial.X_L[l];
-    Pose change = compose(inverse(X_00), library.postures[index].X_L[l]);
-    const double length_m = X_00.p.norm();
-    if (scale == SizeScale::length && length_m > 0.0) change.p *= start.X_L[l].p.norm() / length_m;
-    X_WO = compose(compose(X_WO, {start.X_L[l].p, X_00.q}), change);
-  }
+  for (std::size_t l = 0; l < initial.X_L.size(); ++l)
+    X_WO = compose(compose(X_WO, {start.X_L[l].p, initial.X_L[l].q}),
+                   change_of_link(library, index, l, start, scale));
   X_WO.q.normalize();
   return X_WO;
 }

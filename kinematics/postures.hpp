@@ -86,6 +86,11 @@ class StartPostureMean {
 /// as the patient's link is.
 enum class SizeScale { none, length };
 
+/// M_L: how link `l` of posture `index` has moved from the initial posture, as this arm is sized.
+/// @pre start has the links of the library
+[[nodiscard]] Pose change_of_link(const Postures& library, std::size_t index, std::size_t l,
+                                  const StartPosture& start, SizeScale scale);
+
 /// Where the last frame of the chain is in posture `index` of the library, for the arm that started
 /// so. @pre start has the links of the library
 [[nodiscard]] Pose adapted(const Postures& library, std::size_t index, const StartPosture& start,

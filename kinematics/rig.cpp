@@ -34,8 +34,9 @@ class RigReader {
     rig_.name = root_.text("name", "");
     rig_.max_residual_m = residual_limit(root_).value_or(rig_.max_residual_m);
     read_landmarks();
+    read_markers();
     for (TomlReader& table : root_.tables("frame")) read_frame(table);
-    if (rig_.frames.empty())
+    if (rig_.frames.empty() && rig_.markers.empty())
       root_.fail("frame", "is missing"_text, "describe each frame in [[frame]]"_text);
     if (rig_.frames.size() > kMostFrames)
       root_.fail("frame", "are %1 frames"_text(rig_.frames.size()),
@@ -80,6 +81,17 @@ class RigReader {
       if (find_named(rig_.landmarks, landmark.name))
         table.fail("name", "'%1' appears twice"_text(landmark.name), "keep one of them"_text);
       rig_.landmarks.push_back(std::move(landmark));
+    }
+  }
+
+  void read_markers() {
+    if (!root_.has("markers")) return;
+    rig_.markers = root_.texts("markers");
+    for (const std::string& marker : rig_.markers) {
+      if (std::count(rig_.markers.begin(), rig_.markers.end(), marker) > 1)
+        root_.fail("markers", "'%1' appears twice"_text(marker), "keep one of them"_text);
+      if (find_named(rig_.landmarks, marker))
+        root_.fail("markers", "'%1' is a landmark"_text(marker), "name markers"_text);
     }
   }
 
@@ -263,6 +275,7 @@ std::vector<std::string> markers_of(const Rig& rig) {
       add(std::get<PointFrame>(frame.method).origin);
     }
   }
+  add(rig.markers);
   return markers;
 }
 

@@ -98,6 +98,8 @@ struct RigAlias {
 struct Rig {
   std::string name;
   double max_residual_m = 0.003;
+  /// Of no frame: their places alone are recorded.
+  std::vector<std::string> markers;
   std::vector<RigFrame> frames;  ///< each uses only those before it
   std::vector<RigLandmark> landmarks;
   std::vector<RigLink> links;
@@ -113,7 +115,7 @@ struct Rig {
 /// Labels of cameras as the rig calls its markers; others stay. Errors: two of them are one marker.
 [[nodiscard]] Result<std::vector<std::string>> aliased(const Rig& rig,
                                                        std::span<const std::string> labels);
-/// Markers that the frames name, each once.
+/// Markers that the rig names, each once.
 [[nodiscard]] std::vector<std::string> markers_of(const Rig& rig);
 
 /// Reads and checks a rig: names known, each once, frames in order of dependence. `file` is used in

@@ -57,6 +57,7 @@ struct MethodText {
 std::string rig_text(const Rig& rig) {
   std::string text = "format = \"isograsp-rig-1\"\nname = " + toml_text(rig.name) +
                      "\nmax_residual_m = " + format_number(rig.max_residual_m) + "\n";
+  if (!rig.markers.empty()) text += "markers = " + names_text(rig.markers) + "\n";
   for (const RigFrame& frame : rig.frames)
     text += "\n[[frame]]\nname = " + toml_text(frame.name) + "\n" +
             std::visit(MethodText(), frame.method);

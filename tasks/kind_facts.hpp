@@ -89,6 +89,8 @@ struct KindFacts {
   /// Name of a file of postures (kinematics/postures.hpp): those that the arm is brought to, and
   /// the initial one.
   std::string (*postures)(const KindSpec&) = nullptr;
+  /// Names of the markers that it cannot do without, as the rig calls them.
+  std::vector<std::string> (*markers)(const KindSpec&) = nullptr;
   /// How force and target are shown and scaled.
   const Aim* (*aim)(const KindSpec&) = nullptr;
   /// The force that is to be as large as possible, or as is comfortable, where there is one.
@@ -133,6 +135,7 @@ struct KindFacts {
   bool follows_curve = false;     ///< one force is on one moving target from beginning to end
   bool unforeseen_waits = false;  ///< before what is asked: the screen must not tell them
   bool path_drawn = false;        ///< the report draws the object's path past its targets
+  bool unseen_goes_on = false;    ///< what cameras do not see for a while stops nothing
   bool carries = false;           ///< the object is taken, brought to a place and let go there
 };
 

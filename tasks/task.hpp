@@ -5,23 +5,29 @@
 
 #include <cstdint>
 #include <memory>
-#include <vector>
+#include <optional>
 
 #include "core/result.hpp"
-#include "kinematics/pose_task.hpp"
+#include "kinematics/postures.hpp"
 #include "tasks/references.hpp"
 #include "tasks/task_spec.hpp"
 #include "tasks/task_view.hpp"
 
 namespace isograsp::tasks {
 
+/// An arm whose start posture is known, and the postures that a task names (KindFacts::postures).
+struct ArmPostures {
+  Postures library;
+  StartPosture start;
+  std::string text;  ///< the file of the postures as it is
+};
+
 /// What a task may depend on besides its file; stored with the trial.
 struct TaskContext {
   double period_s = 0.01;  ///< of the frame grid
   std::uint64_t seed = 0;  ///< of fresh sequences and waits that cannot be foreseen
   ForceReferences references;
-  /// Where postures bring the object, of this arm (kinematics/postures.hpp).
-  std::vector<PoseReference> references_of_poses;
+  std::optional<ArmPostures> arm;  ///< of a task that names postures
 };
 
 class Task {

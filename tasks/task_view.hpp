@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "grasp_model/plan.hpp"
+#include "hand/arm_links.hpp"
 #include "hand/finger.hpp"
 #include "hand/force_channel.hpp"
 #include "hand/stimulus.hpp"
@@ -64,6 +65,8 @@ struct ArmView {
   bool reference_shown = false;
   Pose X_WR;
   bool matched = false;  ///< reached; it stays in view for a moment
+  /// What is to be turned to and fro, as far as it goes.
+  std::optional<LinkAngle> turn;
 };
 
 /// What is special about a task of one sort.

@@ -36,6 +36,10 @@ Result<ArmRig> ArmRig::read(const std::string& path, Hand hand) {
   arm.hand = hand;
   arm.text = *std::move(text);
   arm.chain = chain_of(*rig);
+  if (rig->frames.empty()) {
+    arm.rig = *std::move(rig);
+    return arm;
+  }
   if (arm.chain.size() != kArmChain.size())
     return refused("has no chain of elbow, forearm, back of the hand and object"_text,
                    "give it three [[link]] from the elbow to the object"_text)

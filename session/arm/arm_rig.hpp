@@ -26,9 +26,11 @@ struct ArmRig {
   static constexpr std::size_t kMostMarkers = 58;
 
   Hand hand = Hand::right;
-  Rig rig;                         ///< of a left arm mirrored, as everything behind the cameras
-  std::string text;                ///< the file as it was: stored with the session
-  std::vector<std::string> chain;  ///< names of the frames of kArmChain
+  Rig rig;           ///< of a left arm mirrored, as everything behind the cameras
+  std::string text;  ///< the file as it was: stored with the session
+  /// Names of the frames of kArmChain; empty: a rig without frames, whose markers alone are
+  /// recorded.
+  std::vector<std::string> chain;
   /// The rig's own link for each of the chain: its sequence of angles and its zero.
   std::array<RigLink, kArmLinkCount> links;
   /// Frame of each segment; nothing: the rig has none.
@@ -36,8 +38,9 @@ struct ArmRig {
 
   /// Reads the rig of the file `path`. Errors as those of load().
   [[nodiscard]] static Result<ArmRig> read(const std::string& path, Hand hand);
-  /// Reads the rig `name`: a file, or a name in LIBRARY/rigs. Errors: it has no chain of elbow,
-  /// forearm, dorsum and object, or no [score] whose object ends it; `uri` is named in errors.
+  /// Reads the rig `name`: a file, or a name in LIBRARY/rigs. Errors: it has frames but no chain of
+  /// elbow, forearm, dorsum and object, or no [score] whose object ends it; `uri` is named in
+  /// errors.
   [[nodiscard]] static Result<ArmRig> load(const std::string& name, const std::string& library,
                                            Hand hand, const std::string& uri);
 };

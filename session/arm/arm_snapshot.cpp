@@ -26,6 +26,7 @@ Stimulus screen_of(const ArmSnapshot& now) noexcept {
   const tasks::ArmView& task = now.special.arm();
   screen.pose_target_shown = task.reference_shown;
   screen.X_WT = task.reference_shown ? task.X_WR : screen.X_WO;
+  screen.turn = task.turn;
   return screen;
 }
 

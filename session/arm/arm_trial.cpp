@@ -25,18 +25,20 @@ void put_pose(Sink& sink, const columns::OfAxes& axes, const columns::OfComponen
   for (std::size_t i = 0; i < 4; ++i) sink.put(components[i], value[i]);
 }
 
-/// Held: the last pose of the object stands in for a moment; missing: nothing does.
-std::uint8_t flags_of(const ArmSnapshot& seen) noexcept {
+/// Held: the last pose of the object stands in for a moment; missing: nothing does. A rig without
+/// an object has no flags.
+std::uint8_t flags_of(const ArmSnapshot& seen, const ArmTrial& trial) noexcept {
+  if (!trial.has_segment[index_of(ArmSegment::object)]) return 0;
   if (has_pose(seen.segment(ArmSegment::object).state)) return 0;
   return seen.unseen_s > kLongestStandIn_s + kMarkerTimeSlack_s ? bit(SampleFlag::missing)
                                                                 : bit(SampleFlag::held);
 }
 
 template <class Sink>
-void put_task(Sink& sink, const RowFrame& frame, const ArmSnapshot& seen) {
+void put_task(Sink& sink, const RowFrame& frame, const ArmSnapshot& seen, const ArmTrial& trial) {
   const tasks::ArmView& task = seen.special.arm();
   put_progress(sink, frame);
-  sink.put(columns::sample_flags, as_number(flags_of(seen)));
+  sink.put(columns::sample_flags, as_number(flags_of(seen, trial)));
   sink.put(columns::target_index, as_number(frame.task.target_index));
   sink.put(columns::targets_reached, as_number(frame.task.targets_reached));
   sink.put(columns::matched, as_number(task.matched));
@@ -65,7 +67,7 @@ void put_seen(Sink& sink, const ArmSnapshot& seen, const ArmTrial& trial) {
 
 template <class Sink>
 void put_all(Sink sink, const RowFrame& frame, const ArmSnapshot& seen, const ArmTrial& trial) {
-  put_task(sink, frame, seen);
+  put_task(sink, frame, seen, trial);
   put_seen(sink, seen, trial);
   put_timing(sink, frame);
 }

@@ -10,12 +10,18 @@
 #include "kinematics/pose_task.hpp"
 #include "kinematics/postures.hpp"
 #include "session/library/library.hpp"
+#include "storage/crypto/seal.hpp"
 #include "tasks/kinds/arm/pose_matching.hpp"
 
 namespace isograsp::session {
 
 namespace {
 constexpr std::array<PreparationStep, 1> kArmSteps{PreparationStep::start_posture};
+
+Error no_chain() {
+  return refused("needs a rig with a chain of elbow, forearm, back of the hand and object"_text,
+                 "use such a rig, kurillo15 for example"_text);
+}
 
 bool lasts_longer_than_a_stand_in(double seconds) noexcept {
   return seconds > kLongestStandIn_s + kMarkerTimeSlack_s;
@@ -52,6 +58,7 @@ void MarkerArm::stop() noexcept {
 }
 
 std::span<const PreparationStep> MarkerArm::steps() const noexcept {
+  if (rig_.chain.empty()) return {};
   return kArmSteps;
 }
 
@@ -59,22 +66,35 @@ void MarkerArm::describe(storage::SessionRecord& session) const {
   session.calibration = rig_.text;
 }
 
+Result<void> MarkerArm::fits(const tasks::TaskSpec& spec) const {
+  if (rig_.chain.empty() && !spec.kind->unseen_goes_on) return no_chain().at(spec.file);
+  if (spec.kind->markers == nullptr) return {};
+  for (const std::string& name : spec.kind->markers(spec.kind))
+    if (std::none_of(sight_->recorded().begin(), sight_->recorded().end(),
+                     [&name](const RecordedMarker& marker) { return marker.name == name; }))
+      return refused("needs the marker '%1', which rig or cameras do not have"_text(name),
+                     "use a rig that names it, or name the marker in the task"_text)
+          .at(spec.file);
+  return {};
+}
+
 Result<std::unique_ptr<Preparation>> MarkerArm::make_preparation(const ZeroRequest& request) {
+  if (rig_.chain.empty()) return no_chain();
   return std::unique_ptr<Preparation>(
       std::make_unique<StartPostureCapture>(info_.period_s, request.settle_s));
 }
 
-Result<std::vector<PoseReference>> MarkerArm::references(const tasks::TaskSpec& spec) const {
-  std::vector<PoseReference> references;
-  const auto* const matching = spec.kind.get_if<tasks::PoseMatchingSpec>();
-  if (matching == nullptr) return references;
+Result<std::optional<tasks::ArmPostures>> MarkerArm::postures(const tasks::TaskSpec& spec) const {
+  std::optional<tasks::ArmPostures> of_this_arm;
+  if (spec.kind->postures == nullptr) return of_this_arm;
   if (!start_)
     return failed("the start posture of this arm is not known"_text,
                   "hold the start posture for a second first"_text)
         .about("start_posture");
-  const auto path = find_in_library(library_, "postures", matching->postures, spec.file);
+  const auto path =
+      find_in_library(library_, "postures", spec.kind->postures(spec.kind), spec.file);
   if (!path) return path.error();
-  const auto text = read_text(*path);
+  auto text = read_text(*path);
   if (!text) return text.error();
   auto library = parse_postures(*text, *path);
   if (!library) return library.error();
@@ -83,19 +103,17 @@ Result<std::vector<PoseReference>> MarkerArm::references(const tasks::TaskSpec& 
                    "use postures that were recorded with such a rig"_text)
         .at(*path)
         .about("chain");
-  const Postures postures = part_of_the_way(*std::move(library), matching->way);
-  const StartPosture start = start_->mean();
-  for (std::size_t j = 0; j < postures.postures.size(); ++j)
-    references.push_back({postures.postures[j].name, adapted(postures, j, start, matching->scale)});
-  return references;
+  of_this_arm = tasks::ArmPostures{*std::move(library), start_->mean(), *std::move(text)};
+  return of_this_arm;
 }
 
 Result<std::unique_ptr<TrialSetup>> MarkerArm::make_trial(const tasks::TaskSpec& spec,
                                                           const tasks::TaskContext& context) {
-  auto brought_to = references(spec);
-  if (!brought_to) return brought_to.error();
+  if (auto fitting = fits(spec); !fitting) return fitting.error();
+  auto arm = postures(spec);
+  if (!arm) return arm.error();
   tasks::TaskContext of_this_arm = context;
-  of_this_arm.references_of_poses = *std::move(brought_to);
+  of_this_arm.arm = *std::move(arm);
   auto task = tasks::make_task(spec, of_this_arm);
   if (!task) return task.error();
   auto trial = std::make_unique<ArmTrial>();
@@ -110,11 +128,13 @@ Result<std::unique_ptr<TrialSetup>> MarkerArm::make_trial(const tasks::TaskSpec&
   record.task_text = spec.text;
   record.seed = context.seed;
   if (const auto* matching = spec.kind.get_if<tasks::PoseMatchingSpec>()) {
-    auto compiled = tasks::pose_task_of(*matching, of_this_arm.references_of_poses);
+    auto compiled = tasks::pose_task_of(*matching, of_this_arm.arm);
     if (!compiled) return compiled.error();
     compiled->name = spec.name;
-    compiled->frame = rig_.chain.back();
+    compiled->postures_hash = storage::Digest().add(of_this_arm.arm->text).hex();
     record.scene_text = pose_task_text(*compiled);
+  } else if (of_this_arm.arm) {
+    record.scene_text = of_this_arm.arm->text;
   }
   return std::unique_ptr<TrialSetup>(std::move(trial));
 }
@@ -144,6 +164,10 @@ bool MarkerArm::measure(Preparation& preparation) noexcept {
   return true;
 }
 
+bool MarkerArm::sight_matters() const noexcept {
+  return trial_ == nullptr || !trial_->spec.kind->unseen_goes_on;
+}
+
 Reception MarkerArm::receive() noexcept {
   now_.health = device_->health();
   const double t_s = now_.session_time_s;
@@ -154,7 +178,7 @@ Reception MarkerArm::receive() noexcept {
   reception.gap = !now_.picture;
   if (lasts_longer_than_a_stand_in(t_s - last_picture_s_))
     reception.sight = Reception::Sight::lost;
-  else if (lasts_longer_than_a_stand_in(now_.unseen_s))
+  else if (sight_matters() && lasts_longer_than_a_stand_in(now_.unseen_s))
     reception.sight = Reception::Sight::occluded;
   return reception;
 }

@@ -67,7 +67,13 @@ class MarkerArm final : public Apparatus {
   [[nodiscard]] double lateness_s() const noexcept override;
   [[nodiscard]] std::optional<double> latency_s() const noexcept override;
 
-  [[nodiscard]] Result<std::vector<PoseReference>> references(const tasks::TaskSpec& spec) const;
+  /// Errors: the task needs frames or markers that rig or cameras do not have.
+  [[nodiscard]] Result<void> fits(const tasks::TaskSpec& spec) const;
+  /// The running trial waits until the object is seen again.
+  [[nodiscard]] bool sight_matters() const noexcept;
+  /// Those that the task names, and the start posture of this arm; nothing: it names none.
+  [[nodiscard]] Result<std::optional<tasks::ArmPostures>> postures(
+      const tasks::TaskSpec& spec) const;
 
   std::unique_ptr<MarkerSource> person_;
   std::unique_ptr<MarkerDevice> device_;  ///< shows the person

@@ -179,6 +179,18 @@ constexpr std::array kEntries{
           Use::research},
     Entry{"rotation_t10", "Time to 10 % of its turn"_text, Better::unknown, Use::research},
     Entry{"rotation_t63", "Time to 63 % of its turn"_text, Better::unknown, Use::research},
+    // Drinking from a glass.
+    Entry{"total_movement_time", "Time of the whole movement"_text, Better::lower},
+    Entry{"phase_time", "Time of the phase"_text, Better::unknown},
+    Entry{"trunk_displacement", "Movement of the trunk"_text, Better::lower},
+    Entry{"peak_velocity", "Largest speed of the hand"_text, Better::unknown, Use::research},
+    Entry{"time_to_peak_velocity", "Time to the largest speed, of the phase"_text, Better::unknown,
+          Use::research},
+    Entry{"movement_units", "Movement units"_text, Better::unknown, Use::research},
+    Entry{"reach", "Largest distance of hand and trunk"_text, Better::unknown, Use::research},
+    Entry{"elbow_extension", "Largest angle of the elbow"_text, Better::unknown, Use::research},
+    Entry{"elbow_extension_rate", "Fastest stretching of the elbow"_text, Better::unknown,
+          Use::research},
     Entry{"seen", "Time in sight of the cameras"_text, Better::unknown},
     Entry{"contact_time", "Time in contact"_text, Better::unknown},
     Entry{"slip", "Slip"_text, Better::lower},
@@ -227,17 +239,30 @@ constexpr std::array<std::string_view, 7> kBelowZero{
     "synergy_index", "synergy_index_z", "grip_load_correlation"};
 
 /// Channels that need no word: the only one of their measure, or the one that is usual.
-constexpr std::array<std::string_view, 11> kPlainChannels{
-    "force",   "grip",    "platform",  "digits", "position", "angle",
-    "targets", "contact", "transport", "object", ""};
-/// Parts of a force target; turns of an object.
+constexpr std::array<std::string_view, 14> kPlainChannels{
+    "force",   "grip",      "platform", "digits", "position", "angle", "targets",
+    "contact", "transport", "object",   "task",   "trunk",    "total", ""};
+/// Parts of a force target; turns of an object; links of an arm; phases of drinking.
 constexpr std::pair<std::string_view, Words> kParts[] = {
-    {"rx", ", turn about x"_text},        {"ry", ", turn about y"_text},
-    {"rz", ", turn about z"_text},        {"force_rise", ", building up"_text},
-    {"force_hold", ", holding"_text},     {"force_fall", ", letting down"_text},
-    {"force_rate", " of the force"_text}, {"opening", ", opening"_text},
-    {"forearm", ", forearm"_text},        {"wrist", ", wrist"_text},
-    {"fingers", ", fingers"_text}};
+    {"rx", ", turn about x"_text},
+    {"ry", ", turn about y"_text},
+    {"rz", ", turn about z"_text},
+    {"force_rise", ", building up"_text},
+    {"force_hold", ", holding"_text},
+    {"force_fall", ", letting down"_text},
+    {"force_rate", " of the force"_text},
+    {"opening", ", opening"_text},
+    {"forearm", ", forearm"_text},
+    {"wrist", ", wrist"_text},
+    {"fingers", ", fingers"_text},
+    {"attitude", ", turn"_text},
+    {"reaching", ", reaching"_text},
+    {"forward_transport", ", bringing it to the mouth"_text},
+    {"drinking", ", drinking"_text},
+    {"back_transport", ", putting it back"_text},
+    {"returning", ", returning"_text},
+    {"reaching_forward", ", until drinking"_text},
+    {"back_returning", ", after drinking"_text}};
 
 Words digits_words(Digits digits) {
   switch (digits) {

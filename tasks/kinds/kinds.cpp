@@ -4,6 +4,8 @@
 #include <array>
 
 #include "tasks/kinds/arm/active_range.hpp"
+#include "tasks/kinds/arm/drinking.hpp"
+#include "tasks/kinds/arm/pose_following.hpp"
 #include "tasks/kinds/arm/pose_matching.hpp"
 #include "tasks/kinds/force/directional_maxima.hpp"
 #include "tasks/kinds/force/fatigue.hpp"
@@ -46,6 +48,8 @@ constexpr std::array kKinds{
     &PickPlaceSpec::kFacts,
     &ActiveRangeSpec::kFacts,
     &PoseMatchingSpec::kFacts,
+    &PoseFollowingSpec::kFacts,
+    &DrinkingSpec::kFacts,
     &RecordedSpec::kFacts,
 };
 // clang-format on

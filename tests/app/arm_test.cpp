@@ -11,6 +11,7 @@
 #include "core/files.hpp"
 #include "tests/support/background_command.hpp"
 #include "tests/support/command.hpp"
+#include "tests/support/drinking_motion.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/free_port.hpp"
 #include "tests/support/must.hpp"
@@ -90,6 +91,73 @@ TEST(Arm, APareticReachesLessOrLaterAndMovesItsElbow) {
   EXPECT_GT(paretic_s, 1.5 * healthy_s);
 }
 
+/// All values of a measure, in the order in which they are printed.
+std::vector<double> all_printed(const std::string& out, const std::string& name) {
+  std::vector<double> values;
+  const std::regex line("    " + name + " \\([a-z_0-9]+\\) +(-?[0-9][-0-9.e+]*) ");
+  for (std::sregex_iterator at(out.begin(), out.end(), line), end; at != end; ++at)
+    values.push_back(std::stod((*at)[1]));
+  return values;
+}
+
+TEST(Arm, TheRangesOfAnAssessmentAreThoseOfThePerson) {
+  const TemporaryFolder folder;
+  const auto ranges = [&](const std::string& patient) {
+    const auto done = isograsp("run --device 'sim://arm?patient=" + patient +
+                               "&seed=4' --protocol-file " ISOGRASP_SOURCE_DIR
+                               "/library/protocols/arm_assessment.toml --db " +
+                               folder.path("clinic.db") + " --patient A-1 --fast");
+    EXPECT_EQ(done.status, 0) << done.err;
+    return all_printed(done.out, "active_range");
+  };
+  const auto healthy = ranges("healthy");
+  const auto paretic = ranges("paretic");
+  ASSERT_EQ(healthy.size(), 3u) << "turning the forearm, bending and tilting the wrist";
+  ASSERT_EQ(paretic.size(), 3u);
+  // In radians: far more than an arm at rest trembles.
+  constexpr double kLeast_rad[] = {1.5, 1.2, 0.5};
+  for (std::size_t i = 0; i < healthy.size(); ++i) {
+    EXPECT_GT(healthy[i], kLeast_rad[i]) << i;
+    EXPECT_LT(paretic[i], 0.85 * healthy[i]) << i;
+    EXPECT_GT(paretic[i], 0.2) << i;
+  }
+}
+
+TEST(Arm, AMovingReferenceIsFollowedScoredVerifiedAndReported) {
+  const TemporaryFolder folder;
+  const auto run_following = [&](const std::string& patient) {
+    const auto done = isograsp("run --device 'sim://arm?patient=" + patient +
+                               "&seed=4' --protocol-file " ISOGRASP_SOURCE_DIR
+                               "/library/protocols/arm_following.toml --db " +
+                               folder.path("clinic.db") + " --patient A-1 --fast");
+    EXPECT_EQ(done.status, 0) << done.err;
+    return done.out;
+  };
+  const std::string healthy = run_following("healthy");
+  const std::string paretic = run_following("paretic");
+  const auto error = all_printed(healthy, "rmse");
+  ASSERT_EQ(error.size(), 2u * 5u) << "of position and attitude, practice and twice each\n"
+                                   << healthy;
+  const auto other = all_printed(paretic, "rmse");
+  ASSERT_EQ(other.size(), error.size()) << paretic;
+  double healthy_sum = 0.0, paretic_sum = 0.0;
+  for (std::size_t i = 1; i < error.size(); i += 2) {
+    healthy_sum += error[i];
+    paretic_sum += other[i];
+  }
+  EXPECT_GT(paretic_sum, 1.3 * healthy_sum) << "angles";
+  for (const double lag_s : all_printed(healthy, "lag")) EXPECT_LT(std::abs(lag_s), 0.8);
+  const auto verified = isograsp("db verify " + folder.path("clinic.db"));
+  EXPECT_EQ(verified.status, 0) << verified.out;
+  EXPECT_NE(verified.out.find("largest relative difference 0"), std::string::npos) << verified.out;
+  EXPECT_EQ(isograsp("report --patient A-1 --db " + folder.path("clinic.db") + " --out " +
+                     folder.path("r.html"))
+                .status,
+            0);
+  EXPECT_NE(test::must(read_text(folder.path("r.html"))).find("Follow an object that turns"),
+            std::string::npos);
+}
+
 /// What the cameras showed in the trial of the exported signals: `still_s` of its first picture,
 /// then all of them.
 std::string marker_csv(const TemporaryFolder& folder, const std::string& signals, double still_s) {
@@ -126,13 +194,21 @@ std::string marker_csv(const TemporaryFolder& folder, const std::string& signals
 
 /// A recording of what cameras see: an arm that is still, then does a trial of arm_screw.
 std::string recorded_arm(const TemporaryFolder& folder) {
-  EXPECT_EQ(isograsp(run(folder, "sim://arm?seed=5", "--patient A-1 --fast")).status, 0);
+  static_cast<void>(short_protocol(folder));  // the tasks that a test asks for
+  const std::string turns =
+      folder.write("turns.toml",
+                   "format = \"isograsp-protocol-1\"\nname = \"Turns\"\n[[step]]\nkind = "
+                   "\"start_posture\"\n[[step]]\nkind = \"task\"\ntask = \"arm_screw.toml\"\n");
+  EXPECT_EQ(isograsp("run --device 'sim://arm?seed=5' --protocol-file " + turns + " --db " +
+                     folder.path("clinic.db") + " --patient A-1 --fast")
+                .status,
+            0);
   EXPECT_EQ(isograsp("export --db " + folder.path("clinic.db") + " --format csv --out " +
                      folder.path("ex"))
                 .status,
             0);
   constexpr double kStill_s = 4.0;
-  return marker_csv(folder, folder.path("ex/patient_1/session_1/trial_2_signals.csv"), kStill_s);
+  return marker_csv(folder, folder.path("ex/patient_1/session_1/trial_1_signals.csv"), kStill_s);
 }
 
 TEST(Arm, EmulatedCamerasOnARealPortGiveASessionWithAReport) {
@@ -170,6 +246,78 @@ TEST(Arm, ARecordingOfMarkersIsASessionToo) {
   const auto replayed =
       isograsp(run(folder, "replay://" + play + "?rig=kurillo15_trunk", "--patient A-3 --fast"));
   EXPECT_NE(replayed.out.find("Short range"), std::string::npos) << replayed.out << replayed.err;
+}
+
+/// A person who drinks, as cameras would record it.
+std::string recorded_drink(const TemporaryFolder& folder) {
+  const DrinkingMarkers drink = test::healthy_drinking();
+  const std::pair<const char*, const std::vector<Vec3>*> parts[] = {
+      {"HAND", &drink.hand},   {"GLASS", &drink.glass},       {"FACE", &drink.face},
+      {"TRUNK", &drink.trunk}, {"SHOULDER", &drink.shoulder}, {"ELBOW", &drink.elbow},
+      {"WRIST", &drink.wrist}};
+  std::ostringstream out;
+  out << "t_s";
+  for (const auto& [name, p] : parts)
+    for (const char* axis : {"_x_m", "_y_m", "_z_m"}) out << ',' << name << axis;
+  out << '\n';
+  for (std::size_t k = 0; k < drink.t_s.size(); ++k) {
+    out << format_number(drink.t_s[k]);
+    for (const auto& [name, p] : parts)
+      for (int axis = 0; axis < 3; ++axis) out << ',' << format_number((*p)[k][axis]);
+    out << '\n';
+  }
+  return folder.write("drink.csv", out.str());
+}
+
+TEST(Arm, ADrinkGoesFromMarkersToAReportWithoutAStartPosture) {
+  const TemporaryFolder folder;
+  const std::string play = recorded_drink(folder);
+  static_cast<void>(folder.write(
+      "drink.toml",
+      "format = \"isograsp-task-1\"\nname = \"One drink\"\ninstruction = \"Drink.\"\nkind = "
+      "\"drinking\"\nlead_in_s = 0.1\nduration_s = 6.5\n"));
+  const std::string protocol =
+      folder.write("drinks.toml",
+                   "format = \"isograsp-protocol-1\"\nname = \"Drinks\"\n[[step]]\nkind = "
+                   "\"task\"\ntask = \"drink.toml\"\n");
+  const auto done =
+      isograsp("run --device 'replay://" + play + "?rig=drinking' --protocol-file " + protocol +
+               " --db " + folder.path("clinic.db") + " --patient A-4 --fast");
+  ASSERT_EQ(done.status, 0) << done.err << done.out;
+  const DrinkingTask whole = drinking_task(test::healthy_drinking());
+  constexpr double kPrinted = 1e-3;  // digits that are printed
+  EXPECT_NEAR(printed(done.out, "total_movement_time"), *whole.measures.front().value, kPrinted)
+      << done.out;
+  const auto verified = isograsp("db verify " + folder.path("clinic.db"));
+  EXPECT_EQ(verified.status, 0) << verified.out;
+  EXPECT_NE(verified.out.find("largest relative difference 0"), std::string::npos) << verified.out;
+  EXPECT_EQ(isograsp("report --patient A-4 --db " + folder.path("clinic.db") + " --out " +
+                     folder.path("r.html"))
+                .status,
+            0);
+  const std::string page = test::must(read_text(folder.path("r.html")));
+  EXPECT_NE(page.find("Time of the whole movement"), std::string::npos);
+}
+
+TEST(Arm, ATaskThatRigOrMarkersDoNotFitIsRefusedInOneSentence) {
+  const TemporaryFolder folder;
+  const std::string play = recorded_drink(folder);
+  const auto refusal = [&](const std::string& device, const std::string& step) {
+    const std::string protocol = folder.write(
+        "one.toml", "format = \"isograsp-protocol-1\"\nname = \"One\"\n[[step]]\n" + step);
+    const auto done = isograsp("run --device '" + device + "' --protocol-file " + protocol +
+                               " --db " + folder.path("clinic.db") + " --patient A-4 --fast");
+    EXPECT_EQ(done.out.find("Trial"), std::string::npos) << done.out;
+    return done.err;
+  };
+  const std::string drinks = "kind = \"task\"\ntask = \"arm_drinking.toml\"\n";
+  EXPECT_NE(refusal("sim://arm", drinks).find("needs the marker 'HAND'"), std::string::npos);
+  const std::string alone = "replay://" + play + "?rig=drinking";
+  EXPECT_NE(refusal(alone, "kind = \"task\"\ntask = \"arm_screw.toml\"\n")
+                .find("needs a rig with a chain"),
+            std::string::npos);
+  EXPECT_NE(refusal(alone, "kind = \"start_posture\"\n").find("has no start posture"),
+            std::string::npos);
 }
 
 TEST(Arm, WhatDoesNotFitIsOneSentenceAndNothingIsWritten) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "kinematics/arm_frames.hpp"
 #include "tests/kinematics/support.hpp"
 #include "tests/support/every.hpp"
 
@@ -48,6 +49,20 @@ object = "hand"
 right = "-z"
 up = "y"
 )";
+
+TEST(Rig, MayHaveMarkersOfNoFrameAndNothingElse) {
+  const Rig rig = must(parse_rig(kHead + "markers = [\"A\", \"B\"]\n", "a.toml"));
+  EXPECT_EQ(markers_of(rig), (std::vector<std::string>{"A", "B"}));
+  const std::string text = rig_text(rig);
+  EXPECT_EQ(rig_text(must(parse_rig(text, "b.toml"))), text);
+  const std::vector<std::string> seen{"B", "C"}, others{"C"};
+  EXPECT_EQ(must(ArmFrames::compile(rig, seen)).frames(), 0U);
+  EXPECT_FALSE(ArmFrames::compile(rig, others)) << "none of its markers";
+  const auto twice = parse_rig(kHead + "markers = [\"A\", \"A\"]\n", "a.toml");
+  ASSERT_FALSE(twice);
+  EXPECT_EQ(twice.error().field, "markers");
+  EXPECT_FALSE(parse_rig(kHead, "a.toml"));
+}
 
 TEST(Rig, IsWrittenAsItWasRead) {
   const Rig rig = must(parse_rig(kBody, "a.toml"));

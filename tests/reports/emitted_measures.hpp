@@ -12,7 +12,6 @@
 
 #include "core/signals.hpp"
 #include "session/library/library.hpp"
-#include "tasks/kinds/arm/pose_matching.hpp"
 #include "tasks/kinds/force/directional_maxima.hpp"
 #include "tasks/kinds/force/fatigue.hpp"
 #include "tasks/kinds/force/force_direction.hpp"
@@ -32,6 +31,7 @@
 #include "tasks/score.hpp"
 #include "tasks/task.hpp"
 #include "tests/tasks/kinds/object_play.hpp"
+#include "tests/tasks/reference_subject.hpp"
 #include "tests/tasks/specs.hpp"
 
 namespace isograsp::test {
@@ -133,10 +133,8 @@ inline Signals still_hand(const tasks::TaskSpec& spec) {
       names.push_back(std::string(name_of(finger)) + axis);
       names.push_back("target_" + std::string(name_of(finger)) + axis);
     }
-  const Pose here{Vec3::Zero(), Quat::Identity()};
-  if (const auto* matching = spec.kind.get_if<tasks::PoseMatchingSpec>())
-    for (const std::string& name : matching->sequence)
-      context.references_of_poses.push_back({name, here});
+  if (spec.kind->postures != nullptr) context.arm = reference_subject(spec);
+  const Pose here = context.arm ? initial_pose(*context.arm) : Pose{};
   Signals signals(names);
   auto task = tasks::make_task(spec, context);
   if (!task) {

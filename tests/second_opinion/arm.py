@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""An arm seen by markers: pose_matching, active_range (docs/measures.md, Moving an arm; docs/markers.md)."""
+"""An arm seen by markers: pose_matching, pose_following, active_range (docs/measures.md, Moving an arm;
+docs/markers.md)."""
 
 import math
 
 import numpy as np
 
+import tracking
 from record import ACTIVE, HOLD, PAUSED, TRANSPORT, Selection
-from tools import kaplan_meier
+from tools import kaplan_meier, weighted_mean
 
 CLOCK_S = 1e-9  # times of the automaton are equal within this
 STAND_IN_S = 0.05
@@ -239,6 +241,42 @@ def add_rotations(results, record, run, reached, whole):
         for name, values in (("rotation", rotations), ("relative_rotation", [x for x in shares if x is not None]),
                              ("rotation_t10", tenths), ("rotation_t63", others)):
             results.add(name, link, median(values), whole)
+
+
+def rotation_vectors(q):
+    """Of unit quaternions, row by row."""
+    v, w = q[:, 1:], q[:, 0]
+    size = np.sqrt(np.sum(v**2, axis=1))
+    angle = 2 * np.arctan2(size, np.abs(w)) * np.where(w < 0, -1, 1)
+    return v * np.where(size > 0, angle / np.where(size > 0, size, 1), 0)[:, None]
+
+
+def lag_along(t, reference, actual, least):
+    """Lag of one vector behind another along the furthest way of the reference."""
+    sizes = np.sqrt(np.sum(reference**2, axis=1))
+    if not len(sizes) or np.max(sizes) < least:
+        return None
+    way = reference[np.argmax(sizes >= (1 - 1e-6) * np.max(sizes))]
+    return tracking.lag_of(t, reference @ way, actual @ way)[0]
+
+
+def score_pose_following(results, task, record):
+    selection = record.select([ACTIVE], names_of("object") + names_of("reference"), least=0)
+    rows, where, goal = selection.rows, Frame(record, "object"), Frame(record, "reference")
+    asked = np.isin(record.phase, [ACTIVE, TRANSPORT, HOLD, PAUSED])
+    time = float(np.sum(record.hold[asked]))
+    seen = 100 * float(np.sum(record.hold[asked & where.whole])) / time if time > 0 else None
+    values = dict.fromkeys([("rmse", "position"), ("rmse", "attitude"), ("lag", "position"), ("lag", "attitude")])
+    if len(rows) and seen >= 50:
+        w, p, p_goal, q, q_goal = record.hold[rows], where.p[rows], goal.p[rows], where.q[rows], goal.q[rows]
+        values["rmse", "position"] = math.sqrt(weighted_mean(np.sum((p - p_goal)**2, axis=1), w))
+        values["rmse", "attitude"] = math.sqrt(weighted_mean(angle_between(q_goal, q)**2, w))
+        values["lag", "position"] = lag_along(record.t[rows], p_goal - p_goal[0], p - p_goal[0], 0.01)
+        turns = [rotation_vectors(inverse_times(q_goal[:1], x)) for x in (q_goal, q)]
+        values["lag", "attitude"] = lag_along(record.t[rows], *turns, LEAST_TURN)
+    for (name, channel), value in values.items():
+        results.add(name, channel, value, selection)
+    results.add("seen", "object", seen, selection)
 
 
 def score_active_range(results, task, record):

@@ -134,6 +134,46 @@ def arm(chance):
     return columns, task
 
 
+def gone(t, start, length):
+    """Share of a movement with least jerk that is over."""
+    s = np.clip((t - start) / length, 0, 1)
+    return s**3 * (10 - 15 * s + 6 * s**2)
+
+
+def drinking(chance):
+    """Columns and task: one drink, fast or slow, as cameras see it; sometimes with holes, pauses, an early end."""
+    pace, rate = chance.uniform(0.8, 2), chance.choice((100, 100, 120, 60))
+    t = np.arange(int((7.5 * pace + 0.5) * rate)) / rate
+    move = lambda start: gone(t, start * pace, pace)
+    reach, carried = move(0.6) - move(5.4), move(1.9) - move(4.1)
+    if chance.random() < 0.3:  # halts on the way
+        reach = 0.5 * gone(t, 0.6 * pace, 0.5 * pace) + 0.5 * gone(t, 1.3 * pace, 0.5 * pace) - move(5.4)
+    still = lambda *p: np.tile(np.array(p, float), (len(t), 1))
+    along = lambda share, *p: share[:, None] * np.array(p, float)
+    glass = still(0.02, 0.3, 0) + along(carried, 0, -0.15, 0.32)
+    elbow = np.radians(90 + 60 * reach)
+    places = {"GLASS": glass, "HAND": along(reach, 0, 0.3, 0) + glass - still(0.02, 0.3, 0),
+              "FACE": still(0, 0.11, 0.35), "TRUNK": still(0, -0.2, 0.2) + along(reach, 0, chance.uniform(0, 0.1), 0),
+              "SHOULDER": still(-0.2, -0.2, 0.2), "ELBOW": still(-0.2, -0.2, -0.1),
+              "WRIST": still(-0.2, -0.2, -0.1) + 0.25 * np.stack((0 * t, np.sin(elbow), np.cos(elbow)), axis=1)}
+    if chance.random() < 0.1:
+        places["GLASS"] = still(0.02, 0.3, 0)
+    columns = {"t_s": t, "phase": (t >= 0.5).astype(float)}
+    for name, p in places.items():
+        if name in ("TRUNK", "SHOULDER", "WRIST") and chance.random() < 0.15:
+            continue
+        for axis in range(3):
+            columns[f"marker_{name}_{'xyz'[axis]}_m"] = p[:, axis] + noise(chance, len(t), 2e-4)
+        lose(columns, chance, f"marker_{name}", chance.choice((0, 0, 0, 0, 0, 1, 2)))
+    if chance.random() < 0.15:
+        first = chance.randrange(len(t))
+        columns["phase"][first:first + chance.randrange(1, 30)] = 4
+    last = len(t) if chance.random() < 0.85 else chance.randrange(10, len(t))
+    columns = {name: values[:last] for name, values in columns.items()}
+    columns["phase"][-1] = 5
+    return columns, 'format = "isograsp-task-1"\nname = "Made by hand"\ninstruction = "None."\nkind = "drinking"\n'
+
+
 def unseen_end():
     """One target reached after 0.3 s, one sought until the object is lost; the clock stands still 50 ms later."""
     n, there = 81, turn((1, 0, 0), 0)
@@ -162,6 +202,8 @@ def cases(seed):
     for k in range(20):
         yield f"arm_{k}", *arm(random.Random(f"arm {k} {seed}"))
     yield "arm_unseen_end", *unseen_end()
+    for k in range(20):
+        yield f"drinking_{k}", *drinking(random.Random(f"drinking {k} {seed}"))
     yield "pair", tracking(chance), None
     yield "pair_uneven", uneven(tracking(chance), chance), None
     yield "motion", motion(chance), None

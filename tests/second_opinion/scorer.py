@@ -6,6 +6,7 @@ import numpy as np
 import arm
 import cues
 import digits
+import drinking
 import handling
 import holding
 import recorded
@@ -160,7 +161,8 @@ KINDS = {name[len("score_"):]: function for name, function in list(globals().ite
 del KINDS["pieces"]
 KINDS |= {name: getattr(handling, "score_" + name)
           for name in ("pose_targets", "pose_tracking", "pick_place", "observe")}
-KINDS |= {name: getattr(arm, "score_" + name) for name in ("pose_matching", "active_range")}
+KINDS |= {name: getattr(arm, "score_" + name) for name in ("pose_matching", "pose_following", "active_range")}
+KINDS["drinking"] = drinking.score_drinking
 KINDS["recorded"] = recorded.score_recorded
 
 

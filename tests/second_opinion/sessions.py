@@ -9,9 +9,10 @@ open_close steady_grip grip_steps let_go let_go_short open_on_cue force_sense fa
 two_target two_target_long two_target_soft two_target_rate two_target_mirrored two_target_training target_series
 knob_turn knob_turn_rate elastic_block lift_weight pose_tracking_x pose_tracking_planar pose_steps pick_place
 free_handling""".split()
-ARM = """arm_familiarisation arm_range_deviation arm_range_flexion arm_range_forearm arm_screw arm_screw_half
+ARM = """arm_familiarisation arm_follow arm_follow_half arm_range_deviation arm_range_flexion arm_range_forearm arm_screw arm_screw_half
 arm_wrist""".split()
-NOT_RUN = {"grip_sine_fixed": "needs maxima of two days; force_tracking is compared in 20 other tasks"}
+NOT_RUN = {"grip_sine_fixed": "needs maxima of two days; force_tracking is compared in 20 other tasks",
+           "arm_drinking": "the virtual arm does not drink; drinking is compared in signals made by hand"}
 ADAPTIVE = ("grip_sine_training", "two_target_training")  # their level stands in [chosen]
 
 OWN = {
@@ -69,6 +70,11 @@ OWN_ARM = {
     "own_arm_wide": 'kind = "pose_matching"\npostures = "forearm_and_wrist"\nsequence = ["extension", "flexion"]\n'
                     'repeats = 2\nscale = "length"\nposition_tolerance_m = 0.05\nangle_tolerance_deg = 30\n'
                     'hold_s = 1.5\ndisplay_s = 0\n',
+    "own_arm_quick": 'kind = "pose_following"\npostures = "forearm_and_wrist"\nleg_s = 1.2\nrounds = 2\nlead_in_s = 0\n'
+                     'sequence = ["flexion", "initial", "ulnar deviation"]\nscale = "length"\nway_percent = 70\n',
+    # It moves too little for a lag.
+    "own_arm_hardly": 'kind = "pose_following"\npostures = "screw"\nsequence = ["initial", "initial"]\nleg_s = 2\n'
+                      'rounds = 1\nlead_in_s = 1\n',
     "own_arm_fingers": 'kind = "active_range"\nlink = "fingers"\nangle = 2\nlead_in_s = 0.5\nduration_s = 6\n'
                        'repetitions = 2\n',
     "own_arm_forearm": 'kind = "active_range"\nlink = "forearm"\nangle = 1\nlead_in_s = 1\nduration_s = 1\n'

@@ -25,6 +25,9 @@ DEFAULTS = {
     "active_range": {"lead_in_s": 2, "duration_s": 15, "repetitions": 3},
     "pose_matching": {"repeats": 1, "way_percent": 100, "scale": "none", "position_tolerance_m": 0.015,
                       "angle_tolerance_deg": 10, "hold_s": 0.3, "display_s": 2, "time_limit_s": 15},
+    "pose_following": {"leg_s": 4, "rounds": 3, "way_percent": 100, "scale": "none", "lead_in_s": 3},
+    "drinking": {"lead_in_s": 2, "duration_s": 20} | {
+        f"{part}_marker": part.upper() for part in ("hand", "glass", "face", "trunk", "shoulder", "elbow", "wrist")},
     "recorded": {"beats_per_cycle": 1, "cycles_left_out": 0},
 }
 CLOSED = ("grip", "grip_mean", "sum")  # channels in which all three digits press towards each other

@@ -237,7 +237,7 @@ VARIATIONS = (flagged, emptied, paused, uneven, jittered, cut, at_once, bare, od
 
 
 def variations_of(kind):
-    return ARM_VARIATIONS if kind in ("pose_matching", "active_range") else VARIATIONS
+    return ARM_VARIATIONS if kind in ("pose_matching", "pose_following", "active_range") else VARIATIONS
 
 
 def vary(columns, variation, seed):

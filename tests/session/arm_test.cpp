@@ -151,7 +151,7 @@ struct Bench {
   void begin() { begin(task(folder_.path(""))); }
   void begin(const tasks::TaskSpec& spec) {
     trial_ = test::must(apparatus().make_trial(
-        spec, {.period_s = kPeriod_s, .seed = 1, .references = {}, .references_of_poses = {}}));
+        spec, {.period_s = kPeriod_s, .seed = 1, .references = {}, .arm = {}}));
     EXPECT_TRUE(
         acquisition_->commands().push({.kind = Command::Kind::begin, .setup = trial_.get()}));
   }
@@ -263,6 +263,30 @@ TEST_F(Arm, AMomentOutOfSightIsHeldALongerOneFreezesAndGoesOnByItself) {
   tick(2);
   EXPECT_EQ(now().stage, Stage::trial);
   EXPECT_EQ(told().events, (std::vector<std::string>{"occluded", "resume"}));
+}
+
+TEST_F(Arm, WhoDrinksIsNotStoppedWhileTheObjectIsOutOfSightAndNeedsNoStartPosture) {
+  const auto drink = [](const std::string& hand) {
+    return test::must(tasks::parse_task(
+        "format = \"isograsp-task-1\"\nname = \"Drink\"\ninstruction = \"Drink.\"\nkind = "
+        "\"drinking\"\nhand_marker = \"" +
+            hand + "\"\nglass_marker = \"O1\"\nface_marker = \"T1\"\nlead_in_s = 0.1\n",
+        "drink.toml"));
+  };
+  begin(drink("D1"));
+  cameras_->script = [&](std::int64_t number, std::span<Vec3> p_W) {
+    if (number % 100 > 30) hide_object(p_W);
+    return true;
+  };
+  for (int k = 0; k < 200; ++k) {
+    tick();
+    EXPECT_EQ(now().stage, Stage::trial) << k;
+  }
+  const Told all = told();
+  EXPECT_EQ(all.events, std::vector<std::string>{});
+  const auto refused = apparatus().make_trial(drink("D9"), {});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().file, "drink.toml");
 }
 
 TEST_F(Arm, SilenceIsAFaultAndWaitsForTheTherapist) {

@@ -14,11 +14,11 @@
 #include "core/csv.hpp"
 #include "hand/arm_columns.hpp"
 #include "tasks/facts/measure_words.hpp"
-#include "tasks/kinds/arm/pose_matching.hpp"
 #include "tasks/score.hpp"
 #include "tasks/task.hpp"
 #include "tasks/waveform.hpp"
 #include "tests/support/every.hpp"
+#include "tests/tasks/reference_subject.hpp"
 
 namespace isograsp::tasks::kind_contract_test {
 namespace {
@@ -115,15 +115,11 @@ Signals still_hand(const TaskSpec& spec) {
   return signals;
 }
 
-/// A trial in which the arm lies still and its object is seen. Every other reference is where it
-/// lies, the others are out of reach.
+/// A trial in which the arm stays in the initial posture and its object is seen.
 Signals still_arm(const TaskSpec& spec) {
   TaskContext context = known_hand();
-  const Pose here{Vec3::Zero(), Quat::Identity()};
-  if (const auto* matching = spec.kind.get_if<PoseMatchingSpec>())
-    for (std::size_t i = 0; i < matching->sequence.size(); ++i)
-      context.references_of_poses.push_back(
-          {matching->sequence[i], i % 2 == 0 ? here : Pose{Vec3::UnitX(), Quat::Identity()}});
+  if (spec.kind->postures != nullptr) context.arm = test::reference_subject(spec);
+  const Pose here = context.arm ? test::initial_pose(*context.arm) : Pose{};
   const columns::OfSegment& object = columns::segment_pose[index_of(ArmSegment::object)];
   std::vector<std::string> names{columns::t_s, columns::phase, columns::target_index};
   for (const auto& axes : {object.position, columns::reference_position})

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Movement after movement (Woodworth 1899; Meyer et al. 1988): a first one that brings most of the
 // way, then a look at what is left, and a smaller one. A look takes time, so sight is late by its
-// delay and the loop cannot swing.
+// delay and the loop cannot swing. A target that moves is followed by one movement after the other
+// to where it will be (Miall et al. 1993: intermittent pursuit).
 #include "virtual_patient/arm/virtual_arm.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +36,13 @@ constexpr double kBack = 0.3;            ///< … by this share of the way to th
 constexpr double kShortest = 0.3;        ///< of movement_s: no movement is shorter
 constexpr double kReturn_s = 1.2;        ///< to the start posture, times movement_s
 constexpr double kLargestFactor = 3.0;   ///< of a random duration
+constexpr int kMovesFor = 3;             ///< pictures in which a target moves before it is moving
+constexpr double kStands_s = 0.1;        ///< so long it has not moved: it stands
+constexpr double kMoves = 1e-9;          ///< by more than rounding [m or rad]
+constexpr double kJumps_m = 0.005;       ///< by more from one picture to the next: it jumps
+constexpr double kJumps_rad = 0.05;
+constexpr double kSpeedMemory_s = 0.1;  ///< over which the speed of a target is seen
+constexpr double kAtTheEnd_s = 0.4;     ///< a joint is kept at the end of its range
 constexpr double kArmTurn_rad = 2.0 * std::numbers::pi;
 
 double reflected_if(Hand hand, double x) noexcept {
@@ -61,18 +71,35 @@ Joints lags_of(const ArmTraits& traits) noexcept {
   return lag;
 }
 
+/// Which joint turns an angle of the rigs of the library; nothing: none does alone.
+std::optional<joint::Index> joint_of(LinkAngle asked) noexcept {
+  using Turns = std::array<std::optional<joint::Index>, 3>;
+  constexpr Turns kForearm{joint::swing_up, joint::swing_in, joint::pronation};
+  constexpr Turns kWrist{joint::flexion, joint::ulnar, std::nullopt};
+  constexpr Turns kFingers{joint::turn_x, joint::turn_z, joint::turn_y};
+  const auto angle = static_cast<std::size_t>(std::clamp(asked.angle, 1, 3) - 1);
+  switch (asked.link) {
+    case ArmLink::forearm: return kForearm[angle];
+    case ArmLink::wrist: return kWrist[angle];
+    case ArmLink::fingers: break;
+  }
+  return kFingers[angle];
+}
+
 }  // namespace
 
 struct VirtualArm::Mind {
-  enum class Aim : std::uint8_t { stay, start, target };
+  enum class Aim : std::uint8_t { stay, start, target, turn };
   /// What the screen asks for.
   struct Intention {
     Aim aim = Aim::stay;
     Pose X_WT;
+    LinkAngle turn;
     [[nodiscard]] bool same(const Intention& other) const noexcept {
-      return aim == other.aim &&
-             (aim != Aim::target || ((X_WT.p - other.X_WT.p).norm() < kSameTarget_m &&
-                                     angle_between(X_WT.q, other.X_WT.q) < kSameTarget_rad));
+      if (aim != other.aim) return false;
+      if (aim == Aim::turn) return turn == other.turn;
+      return aim != Aim::target || ((X_WT.p - other.X_WT.p).norm() < kSameTarget_m &&
+                                    angle_between(X_WT.q, other.X_WT.q) < kSameTarget_rad);
     }
   };
 
@@ -109,6 +136,9 @@ struct VirtualArm::Mind {
   void watch(const Stimulus& picture, double t_s) noexcept;
   void act(double t_s) noexcept;
   void correct(double t_s) noexcept;
+  void watch_target(const Intention& next, double picture_s, double t_s) noexcept;
+  void follow(double t_s) noexcept;
+  void turn_to_the_end(double t_s) noexcept;
   void move(const PoseError& error, const Pose& X_now, double gain, const Joints& lags,
             double t_s) noexcept;
   void go(const Joints& way, const Joints& lags, double t_s) noexcept;
@@ -143,6 +173,16 @@ struct VirtualArm::Mind {
   double missing_since_s = 0.0;
   bool content = false;  ///< what was asked for is reached, or is being held
 
+  // A target that moves from picture to picture.
+  bool moving = false;
+  int moves = 0;              ///< pictures on end in which it did
+  Pose X_WT;                  ///< in the last picture
+  double target_s = 0.0;      ///< of that picture
+  double moved_s = 0.0;       ///< of the last picture in which it moved
+  PoseError target_speed;     ///< per second
+  double next_step_s = 0.0;   ///< when the next movement after it begins
+  bool towards_most = false;  ///< to which end of its range a joint is turned
+
   double error_since_s = 0.0;  ///< pictures of an arm that stands, and their errors
   int looks = 0;
   PoseError error_sum;
@@ -158,28 +198,98 @@ VirtualArm::Mind::Intention VirtualArm::Mind::asked(const Stimulus& picture) con
   switch (picture.cue) {
     case Cue::hand_out:
     case Cue::relax:
-    case Cue::let_go: return {Aim::start, {}};
+    case Cue::let_go: return {Aim::start, {}, {}};
     case Cue::move: break;
     case Cue::squeeze:
     case Cue::press:
     case Cue::follow:
-    case Cue::reproduce: return {Aim::stay, {}};
+    case Cue::reproduce: return {};
   }
-  if (picture.progress.getting_ready) return {Aim::stay, {}};
+  if (picture.progress.getting_ready) return {};
+  if (picture.turn) return {Aim::turn, {}, *picture.turn};
   // An object that is not on the screen for a while changes nothing of what is asked.
   if (!picture.object_shown || !picture.pose_target_shown)
     return seen.aim == Aim::target ? seen : Intention{};
-  return {Aim::target, picture.X_WT};
+  return {Aim::target, picture.X_WT, {}};
 }
 
 void VirtualArm::Mind::perceive(const Stimulus& picture, double t_s) noexcept {
   const Intention next = asked(picture);
-  if (!next.same(seen)) {
+  watch_target(next, picture.t_s, t_s);
+  if (moving) {
+    seen = next;
+    if (acting.aim == Aim::target && !waiting) acting = next;
+  } else if (!next.same(seen)) {
     waiting = true;
     act_s = t_s + person.reaction_s * (1.0 + person.reaction_cv * std::abs(attention.gaussian()));
     seen = next;
   }
   watch(picture, t_s);
+}
+
+/// Whether the target moves, and how fast. One that jumps does not move.
+void VirtualArm::Mind::watch_target(const Intention& next, double picture_s, double t_s) noexcept {
+  const double since_s = picture_s - target_s;
+  if (next.aim != Aim::target || seen.aim != Aim::target || since_s <= 0.0) {
+    moving = false;
+    moves = 0;
+  } else {
+    const PoseError step = error_between(X_WT, next.X_WT);
+    const bool jumped = step.p.norm() > kJumps_m || step.turn.norm() > kJumps_rad;
+    const bool moved = !jumped && (step.p.norm() > kMoves || step.turn.norm() > kMoves);
+    moves = moved ? moves + 1 : jumped ? 0 : moves;
+    if (moved) moved_s = picture_s;
+    if (jumped || picture_s - moved_s > kStands_s) {
+      moving = false;
+      moves = 0;
+    }
+    if (!moving && moves >= kMovesFor) {
+      moving = true;
+      target_speed = {};
+      next_step_s =
+          t_s + person.reaction_s * (1.0 + person.reaction_cv * std::abs(attention.gaussian()));
+    }
+    const double fresh = std::min(1.0, since_s / kSpeedMemory_s);
+    target_speed.p += fresh * (step.p / since_s - target_speed.p);
+    target_speed.turn += fresh * (step.turn / since_s - target_speed.turn);
+  }
+  X_WT = next.X_WT;
+  target_s = picture_s;
+}
+
+/// The next movement after a moving target: to where it will be when the movement ends, as far as
+/// the person foresees it.
+void VirtualArm::Mind::follow(double t_s) noexcept {
+  if (!moving || waiting || acting.aim != Aim::target || !object_seen || t_s < next_step_s) return;
+  const double lasts_s = kShortest * person.movement_s;
+  const double ahead_s = person.first_gain * (t_s - target_s + lasts_s);
+  PoseError error = as_seen(error_between(X_WO, X_WT));
+  error.p += ahead_s * target_speed.p;
+  error.turn += ahead_s * target_speed.turn;
+  const Pose X_now = object_at(pictured_s);
+  const Pose goal{X_now.p + error.p, (so3::exp(error.turn) * X_now.q).normalized()};
+  Joints way = reach.posture_for(goal) - plan.end();
+  for (int k = 0; k < kJoints; ++k) way[k] *= 1.0 + person.amplitude_cv * muscles.gaussian();
+  way = (plan.end() + way).cwiseMax(body.least).cwiseMin(body.most) - plan.end();
+  plan.add(way, Joints::Zero(), t_s, lasts_s);
+  next_step_s = t_s + std::max(lasts_s, person.reaction_s);
+  missing_since_s = t_s;
+  forget_error();
+}
+
+/// One joint to the other end of its range, all else as at the start. Who turns the forearm also
+/// lifts the shoulder, as far as they share a turn.
+void VirtualArm::Mind::turn_to_the_end(double t_s) noexcept {
+  const auto k = joint_of(acting.turn);
+  if (!k) return;
+  towards_most = !towards_most;
+  const double effort = 1.0 - std::min(1.0, person.amplitude_cv * std::abs(muscles.gaussian()));
+  Joints goal = body.rest;
+  goal[*k] = effort * (towards_most ? body.most[*k] : body.least[*k]);
+  if (*k == joint::pronation)
+    goal[joint::lift] = person.shoulder_share / person.forearm_share * goal[*k];
+  goal = goal.cwiseMax(body.least).cwiseMin(body.most);
+  go(goal - plan.end(), Joints::Zero(), t_s);
 }
 
 void VirtualArm::Mind::watch(const Stimulus& picture, double t_s) noexcept {
@@ -236,11 +346,17 @@ void VirtualArm::Mind::act(double t_s) noexcept {
       move(as_seen(error_between(X_WO, acting.X_WT)), object_at(pictured_s), person.first_gain, lag,
            t_s);
       break;
+    case Aim::turn:
+      towards_most = false;
+      turn_to_the_end(t_s);
+      break;
   }
 }
 
 void VirtualArm::Mind::correct(double t_s) noexcept {
-  if (acting.aim != Aim::target || waiting || !standing(t_s)) return;
+  if (waiting || !standing(t_s)) return;
+  if (acting.aim == Aim::turn && t_s >= plan.ends_s() + kAtTheEnd_s) turn_to_the_end(t_s);
+  if (acting.aim != Aim::target || moving) return;
   if (t_s - missing_since_s > kLost_s) {
     missing_since_s = t_s;
     go(kBack * (body.rest - plan.end()), Joints::Zero(), t_s);
@@ -282,7 +398,8 @@ void VirtualArm::Mind::go(const Joints& way, const Joints& lags, double t_s) noe
 
 void VirtualArm::Mind::begin_again(double t_s) noexcept {
   seen = acting = {};
-  waiting = object_seen = content = false;
+  waiting = object_seen = content = moving = false;
+  moves = 0;
   pictured_s = answered_s = missing_since_s = t_s;
   plan.stand(body.rest);
   forget_error();
@@ -344,6 +461,7 @@ void VirtualArm::markers(double t_s, std::span<Vec3> p_W) noexcept {
   while (const Stimulus* picture = mind.memory.next(t_s - mind.person.visual_delay_s))
     mind.perceive(*picture, t_s);
   if (mind.waiting && t_s >= mind.act_s) mind.act(t_s);
+  mind.follow(t_s);
   mind.correct(t_s);
   mind.posture = mind.unsteady_posture(t_s, dt_s);
   mind.cameras.look(mind.body, mind.body.poses_W(mind.posture), dt_s, p_W);

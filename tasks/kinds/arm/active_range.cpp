@@ -20,7 +20,8 @@ namespace {
 class ActiveRange final : public Task {
  public:
   ActiveRange(const ActiveRangeSpec& spec, const TaskContext& context)
-      : period_s_(context.period_s),
+      : asked_{spec.link, spec.angle},
+        period_s_(context.period_s),
         lead_in_(frames_in(spec.lead_in_s, context.period_s)),
         frames_(lead_in_ + frames_in(spec.duration_s, context.period_s)) {}
 
@@ -32,12 +33,13 @@ class ActiveRange final : public Task {
     view.cue = view.phase == Phase::active ? Cue::move : Cue::relax;
     view.task_time_s = static_cast<double>(frame_) * period_s_;
     view.duration_s = static_cast<double>(frames_) * period_s_;
-    view.special.emplace<ArmView>();
+    view.special.emplace<ArmView>().turn = asked_;
     if (frame_ < frames_) ++frame_;
     return view;
   }
 
  private:
+  LinkAngle asked_;
   double period_s_;
   std::int64_t lead_in_;
   std::int64_t frames_;

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "tasks/kinds/arm/read_posture_keys.hpp"
 #include "tasks/kinds/tools/of_kind.hpp"
 #include "tasks/kinds/tools/read_object_keys.hpp"
-#include "tasks/task.hpp"
 
 namespace isograsp::tasks {
 
@@ -66,24 +66,19 @@ class PoseMatching final : public Task {
 
 Result<std::unique_ptr<Task>> make_pose_matching(const PoseMatchingSpec& spec,
                                                  const TaskContext& context) {
-  auto task = pose_task_of(spec, context.references_of_poses);
+  auto task = pose_task_of(spec, context.arm);
   if (!task) return task.error();
   return std::unique_ptr<Task>(std::make_unique<PoseMatching>(spec, *std::move(task)));
 }
 
 KindSpec read_pose_matching(TomlReader& reader) {
   constexpr int kMostRepeats = 100;
-  constexpr double kPercent = 100.0;
-  constexpr double kLeastWay_percent = 10.0;
   PoseMatchingSpec spec;
   spec.postures = reader.text("postures");
-  spec.sequence = reader.texts("sequence");
-  if (spec.sequence.empty())
-    reader.fail("sequence", "names no posture"_text, "name the postures in their order"_text);
+  spec.sequence = read_sequence(reader);
   spec.repeats = read_count(reader, "repeats", spec.repeats, kMostRepeats);
-  spec.way = read_within(reader, "way_percent", kLeastWay_percent, kPercent, kPercent) / kPercent;
-  spec.scale =
-      reader.choice("scale", {"none", "length"}, 0) == 0 ? SizeScale::none : SizeScale::length;
+  spec.way = read_way(reader);
+  spec.scale = read_scale(reader);
   const PoseTolerance tolerance =
       read_tolerance(reader, {spec.position_tolerance_m, spec.angle_tolerance_rad});
   spec.position_tolerance_m = tolerance.position_m;
@@ -119,26 +114,22 @@ constexpr PlacedMeasure kPoseMatchingPlaces[] = {{"targets_reached", "", Promine
 
 }  // namespace
 
-Result<PoseTask> pose_task_of(const PoseMatchingSpec& spec,
-                              const std::vector<PoseReference>& references) {
+Result<PoseTask> pose_task_of(const PoseMatchingSpec& spec, const std::optional<ArmPostures>& arm) {
+  const auto once = places_of(spec.sequence, spec.postures, arm);
+  if (!once) return once.error();
+  const Postures library = part_of_the_way(arm->library, spec.way);
   PoseTask task;
-  task.references = references;
+  task.frame = library.chain.empty() ? "" : library.chain.back();
+  for (std::size_t j = 0; j < library.postures.size(); ++j)
+    task.references.push_back(
+        {library.postures[j].name, adapted(library, j, arm->start, spec.scale)});
   task.position_tolerance_m = spec.position_tolerance_m;
   task.angle_tolerance_rad = spec.angle_tolerance_rad;
   task.hold_s = spec.hold_s;
   task.display_s = spec.display_s;
   task.time_limit_s = spec.time_limit_s;
   for (int repeat = 0; repeat < spec.repeats; ++repeat)
-    for (const std::string& name : spec.sequence) {
-      const auto at =
-          std::find_if(references.begin(), references.end(),
-                       [&name](const PoseReference& reference) { return reference.name == name; });
-      if (at == references.end())
-        return refused("'%1' is no posture of %2"_text(name, Known{spec.postures}),
-                       "name a [[posture]] of that file"_text)
-            .about("sequence");
-      task.targets.push_back(static_cast<std::size_t>(at - references.begin()));
-    }
+    task.targets.insert(task.targets.end(), once->begin(), once->end());
   return task;
 }
 

@@ -4,12 +4,14 @@
 // size of this arm by its start posture (kinematics/postures.hpp). SI units, radians.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "kinematics/pose_task.hpp"
 #include "kinematics/postures.hpp"
 #include "tasks/kind_spec.hpp"
+#include "tasks/task.hpp"
 
 namespace isograsp::tasks {
 
@@ -32,10 +34,10 @@ struct PoseMatchingSpec {
   static const KindFacts kFacts;
 };
 
-/// What the session compiles for this arm: the references of the spec, in the order of its targets.
-/// Errors: `references` lacks one that the sequence names.
+/// What the task is for this arm: the references of the spec, in the order of its targets.
+/// Errors: the postures lack one that the sequence names, or the arm is not known.
 [[nodiscard]] Result<PoseTask> pose_task_of(const PoseMatchingSpec& spec,
-                                            const std::vector<PoseReference>& references);
+                                            const std::optional<ArmPostures>& arm);
 
 /// Its measures (pose_matching_score.cpp).
 [[nodiscard]] std::vector<Measure> score_pose_matching(const PoseMatchingSpec& spec,

@@ -9,13 +9,13 @@
 //   rotation …        of forearm against elbow, hand against forearm, object against hand: medians
 //                     over the reached targets
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "hand/arm_columns.hpp"
 #include "kinematics/movement.hpp"
 #include "statistics/percentile.hpp"
 #include "tasks/kinds/arm/pose_matching.hpp"
+#include "tasks/kinds/arm/segment_poses.hpp"
 #include "tasks/kinds/tools/object_score.hpp"
 #include "tasks/kinds/tools/score_tools.hpp"
 #include "tasks/reasons/reasons.hpp"
@@ -37,29 +37,6 @@ Rig recorded_rig() {
   rig.score = RigScore{"forearm", "object", "object"};
   return rig;
 }
-
-/// Poses of a segment, row by row; missing where a field is empty.
-class SegmentPoses {
- public:
-  SegmentPoses(const Signals& signals, const columns::OfAxes& position,
-               const columns::OfComponents& attitude) {
-    for (std::size_t a = 0; a < 3; ++a) p_[a] = signals.column(position[a]);
-    for (std::size_t i = 0; i < 4; ++i) q_[i] = signals.column(attitude[i]);
-  }
-  [[nodiscard]] bool known() const noexcept { return !p_[0].empty() && !q_[0].empty(); }
-  [[nodiscard]] Pose at(std::size_t row) const {
-    for (const auto& column : p_)
-      if (column.empty() || std::isnan(column[row])) return missing_pose();
-    for (const auto& column : q_)
-      if (column.empty() || std::isnan(column[row])) return missing_pose();
-    return {{p_[0][row], p_[1][row], p_[2][row]},
-            Quat(q_[0][row], q_[1][row], q_[2][row], q_[3][row])};
-  }
-
- private:
-  std::array<std::span<const double>, 3> p_;
-  std::array<std::span<const double>, 4> q_;
-};
 
 class PoseMatchingScore {
  public:
@@ -86,7 +63,7 @@ class PoseMatchingScore {
       add_of_link(all, "rotation_t10", link, "s", "t10");
       add_of_link(all, "rotation_t63", link, "s", "t63");
     }
-    all.push_back(seen());
+    all.push_back(seen(record_, whole_));
     return all;
   }
 
@@ -95,12 +72,8 @@ class PoseMatchingScore {
                                                            Phase::active};
 
   static std::vector<std::string> needed() {
-    std::vector<std::string> names{columns::target_index};
-    const auto& object = columns::segment_pose[index_of(ArmSegment::object)];
-    for (const auto& column : object.position) names.emplace_back(column);
-    for (const auto& column : object.attitude) names.emplace_back(column);
-    for (const auto& column : columns::reference_position) names.emplace_back(column);
-    for (const auto& column : columns::reference_attitude) names.emplace_back(column);
+    std::vector<std::string> names = columns_of_object_and_reference();
+    names.emplace_back(columns::target_index);
     return names;
   }
 
@@ -261,26 +234,6 @@ class PoseMatchingScore {
                    const char* unit, std::string_view measure) const {
     all.push_back(
         make_measure(name, std::string(link), unit, whole_, median_of(each(measure, link))));
-  }
-
-  /// Share of the time of the task in which the object was seen; pauses out of sight count.
-  [[nodiscard]] Measure seen() const {
-    Section section = whole_;
-    double seen_s = 0.0;
-    double all_s = 0.0;
-    if (section.reason.empty()) {
-      const auto& object = columns::segment_pose[index_of(ArmSegment::object)];
-      const SegmentPoses poses(record_.signals(), object.position, object.attitude);
-      for (std::size_t row = 0; row < record_.rows(); ++row) {
-        if (record_.phase(row) == Phase::lead_in || record_.phase(row) == Phase::done) continue;
-        all_s += record_.hold_s(row);
-        if (!is_missing(poses.at(row))) seen_s += record_.hold_s(row);
-      }
-    }
-    constexpr double kPercent = 100.0;
-    return make_measure("seen", "object", "%", section,
-                        all_s > 0.0 ? statistics::Computed(kPercent * seen_s / all_s)
-                                    : statistics::Computed("no samples"_text));
   }
 
   const PoseMatchingSpec& spec_;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 
 #include "core/spatial.hpp"
@@ -35,6 +36,25 @@ struct ShownProgress {
   double hold_fraction = 0.0;  ///< 0 … 1: the ring of a hold
 };
 
+/// How cameras see the object that is on the screen. Whoever is not seen draws nothing new: what is
+/// shown is the last pose, pale where that is too old to stand in.
+enum class ObjectSight : std::uint8_t {
+  unknown,  ///< no cameras look at it, or they have not seen it yet
+  seen,
+  held,   ///< for a moment its last pose stands in
+  unseen  ///< for longer
+};
+
+/// An angle of the own body that is asked for: its range is drawn as it grows.
+struct ShownAngle {
+  bool shown = false;
+  bool seen = false;  ///< now
+  double now_rad = 0.0;
+  bool ranged = false;  ///< the next two are there
+  double least_rad = 0.0;
+  double largest_rad = 0.0;
+};
+
 /// One picture of the patient's screen.
 struct Stimulus {
   double t_s = 0.0;              ///< session time of the picture [s]
@@ -50,13 +70,16 @@ struct Stimulus {
   /// Own force of the digits that one is asked of, contact frames [N].
   std::array<Vec3, kFingerCount> digit_force_C{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   bool object_shown = false;  ///< the object and what follows are on the screen
-  Pose X_WO;
-  Vec3 v_WO_W = Vec3::Zero();      ///< [m/s]; used to draw it where it is now
-  Vec3 w_WO_W = Vec3::Zero();      ///< [rad/s]
+  ObjectSight sight = ObjectSight::unknown;
+  Pose X_WO;                   ///< of a real object that is out of sight: where it was seen last
+  Vec3 v_WO_W = Vec3::Zero();  ///< [m/s]; used to draw it where it is now
+  Vec3 w_WO_W = Vec3::Zero();  ///< [rad/s]
   bool pose_target_shown = false;  ///< false: X_WT is that of the object
   Pose X_WT;
   /// Of an arm: this angle is to be turned to and fro, as far as it goes.
   std::optional<LinkAngle> turn;
+  bool pose_matched = false;  ///< the target is reached; it stays in view for a moment
+  ShownAngle angle;
   std::array<bool, kFingerCount> contact{};    ///< virtual finger touches (drawn green)
   std::array<double, kFingerCount> press_N{};  ///< >= 0, by which a virtual finger approaches
 };

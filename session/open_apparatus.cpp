@@ -5,6 +5,7 @@
 #include <array>
 
 #include "device/sensors/force_device.hpp"
+#include "session/arm/marker_arm.hpp"
 #include "session/open_arm.hpp"
 #include "session/platform/force_platform.hpp"
 #include "session/simulated_person.hpp"
@@ -29,11 +30,19 @@ Result<std::unique_ptr<Apparatus>> open_platform(const ApparatusRequest& request
       PlatformOptions{request.hand, request.library, request.display_delay_s}));
 }
 
-constexpr std::array<ApparatusRow, 5> kRows{{{"qtm", "", "", open_arm},
-                                             {"natnet", "", "", open_arm},
-                                             {"sim", "arm", "", open_arm},
-                                             {"replay", "", "rig", open_arm},
-                                             {"", "", "", open_platform}}};
+constexpr std::array<ApparatusRow, 5> kRows{{{"qtm", "", "", open_arm, MarkerArm::kKind},
+                                             {"natnet", "", "", open_arm, MarkerArm::kKind},
+                                             {"sim", "arm", "", open_arm, MarkerArm::kKind},
+                                             {"replay", "", "rig", open_arm, MarkerArm::kKind},
+                                             {"", "", "", open_platform, ForcePlatform::kKind}}};
+
+const ApparatusRow& row_for(const Uri& uri, std::span<const ApparatusRow> rows) {
+  return *std::find_if(rows.begin(), rows.end(), [&](const ApparatusRow& one) {
+    return (one.scheme.empty() || one.scheme == uri.scheme) &&
+           (one.target.empty() || one.target == uri.target) &&
+           (one.parameter.empty() || uri.parameters.contains(std::string(one.parameter)));
+  });
+}
 
 }  // namespace
 
@@ -43,12 +52,12 @@ std::span<const ApparatusRow> all_apparatuses() noexcept {
 
 Result<std::unique_ptr<Apparatus>> open_apparatus(const ApparatusRequest& request,
                                                   std::span<const ApparatusRow> rows) {
-  const auto row = std::find_if(rows.begin(), rows.end(), [&](const ApparatusRow& one) {
-    return (one.scheme.empty() || one.scheme == request.uri.scheme) &&
-           (one.target.empty() || one.target == request.uri.target) &&
-           (one.parameter.empty() || request.uri.parameters.contains(std::string(one.parameter)));
-  });
-  return row->open(request);
+  return row_for(request.uri, rows).open(request);
+}
+
+std::string_view kind_of_apparatus(const std::string& uri, std::span<const ApparatusRow> rows) {
+  const auto parsed = Uri::parse(uri);
+  return parsed ? row_for(*parsed, rows).kind : std::string_view();
 }
 
 Result<void> check_hand(const std::string& device_uri, std::string_view mounted_for, Hand hand) {

@@ -28,6 +28,7 @@ struct ApparatusRow {
   std::string_view target;     ///< "arm" of sim://arm; empty: any
   std::string_view parameter;  ///< that it must have: "rig" of replay://FILE?rig=; empty: none
   Result<std::unique_ptr<Apparatus>> (*open)(const ApparatusRequest& request) = nullptr;
+  std::string_view kind = {};  ///< ApparatusInfo::kind of what it opens; empty: not known before
 };
 /// The table: every apparatus that this program knows; the last row takes all that is left.
 [[nodiscard]] std::span<const ApparatusRow> all_apparatuses() noexcept;
@@ -35,6 +36,11 @@ struct ApparatusRow {
 /// @pre one of the rows fits; what it refuses is refused.
 [[nodiscard]] Result<std::unique_ptr<Apparatus>> open_apparatus(
     const ApparatusRequest& request, std::span<const ApparatusRow> rows = all_apparatuses());
+
+/// The kind of apparatus that a URI names, before it is opened: by it tasks and protocols are
+/// chosen. Empty: not known before, or no URI.
+[[nodiscard]] std::string_view kind_of_apparatus(
+    const std::string& uri, std::span<const ApparatusRow> rows = all_apparatuses());
 
 /// Refuses a device that is mounted for the other hand, in words for the therapist.
 [[nodiscard]] Result<void> check_hand(const std::string& device_uri, std::string_view mounted_for,

@@ -208,4 +208,9 @@ bool Session::is_to_stop() const noexcept {
   return stop != nullptr && stop->load(std::memory_order_relaxed);
 }
 
+const ArmSnapshot* arm_of(Session& session) noexcept {
+  // What an arm publishes is one (MarkerArm::newest).
+  return session.known().arm ? static_cast<const ArmSnapshot*>(&session.moment()) : nullptr;
+}
+
 }  // namespace isograsp::session

@@ -181,4 +181,8 @@ class Session {
   std::unique_ptr<Parts> parts_;
 };
 
+/// Newest state with all that is known of an arm seen by markers; null: it is something else.
+/// Wait-free. Owner thread.
+[[nodiscard]] const ArmSnapshot* arm_of(Session& session) noexcept;
+
 }  // namespace isograsp::session

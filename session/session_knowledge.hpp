@@ -10,6 +10,7 @@
 #include "device/sensors/force_device.hpp"
 #include "session/acquisition/apparatus.hpp"
 #include "session/acquisition/realtime.hpp"
+#include "session/arm/arm_snapshot.hpp"
 #include "session/resume.hpp"
 #include "session/training.hpp"
 #include "storage/records/session_store.hpp"
@@ -38,6 +39,7 @@ struct SessionKnowledge : Lessons {
   ApparatusInfo apparatus;
   std::vector<PreparationStep> steps;  ///< that the apparatus asks for before the work
   DeviceInfo device;                   ///< of the platform; of another apparatus: what it has of it
+  std::optional<ArmSetup> arm;         ///< of an arm seen by markers; nothing: it is something else
   RealtimeGrant realtime;              ///< what the acquisition thread was given
   bool patient_is_new = false;         ///< the code was not in the database before this session
   EarlierWork earlier;                 ///< of a session that is resumed; else empty

@@ -5,6 +5,7 @@
 
 #include "core/time.hpp"
 #include "device/config/uri.hpp"
+#include "session/arm/marker_arm.hpp"
 #include "session/session_parts.hpp"
 #include "storage/access/open_store.hpp"
 #include "storage/crypto/content_hash.hpp"
@@ -144,6 +145,8 @@ Result<void> Session::Opening::start_device() {
   known.steps.assign(steps.begin(), steps.end());
   known.device =
       parts.platform != nullptr ? parts.platform->device() : device_of(known.apparatus, uri);
+  if (const auto* arm = dynamic_cast<const MarkerArm*>(parts.apparatus.get()))
+    known.arm = arm->setup();
   return {};
 }
 

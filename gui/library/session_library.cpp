@@ -13,10 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What these windows cannot measure (gui/presenter/window_apparatuses.hpp) is no choice of a
-/// session; the library shows its files all the same.
-constexpr std::string_view kNotInWindows = "arm";
-
 std::vector<std::string> files_in(const fs::path& folder) {
   std::vector<std::string> files;
   std::error_code unreadable;
@@ -53,21 +49,31 @@ SessionLibrary read_session_library(const std::string& shipped, const std::strin
       auto spec = session::load_task(file);
       if (!spec)
         library.problems.push_back(words_of(spec.error()));
-      else if (spec->apparatus() != kNotInWindows && is_free(task_names, spec->name, file))
+      else if (is_free(task_names, spec->name, file))
         library.tasks.push_back(*std::move(spec));
     }
     for (const auto& file : files_in(fs::path(folder) / "protocols")) {
       auto protocol = session::read_protocol(file, shipped);
       if (!protocol)
         library.problems.push_back(words_of(protocol.error()));
-      else if (protocol->apparatus() != kNotInWindows &&
-               is_free(protocol_names, protocol->spec.name, file))
+      else if (is_free(protocol_names, protocol->spec.name, file))
         library.protocols.push_back(*std::move(protocol));
     }
   }
   if (library.tasks.empty()) library.problems.push_back("No tasks in %1/tasks."_text(shipped));
   sort_for_list(library.tasks);
   return library;
+}
+
+SessionLibrary for_apparatus(SessionLibrary all, std::string_view kind) {
+  const std::string_view there = kind == kArm ? kArm : kPlatform;
+  const auto is_of_another = [there](const auto& one) {
+    const auto needed = one.apparatus();
+    return !needed.empty() && needed != there;
+  };
+  std::erase_if(all.tasks, is_of_another);
+  std::erase_if(all.protocols, is_of_another);
+  return all;
 }
 
 std::optional<int> place_of_file(const std::vector<tasks::TaskSpec>& tasks,

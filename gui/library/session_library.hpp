@@ -6,11 +6,16 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "session/library/library.hpp"
 
 namespace isograsp::gui {
+
+/// Kinds of apparatus (session/acquisition/apparatus.hpp) that these windows tell apart.
+inline constexpr std::string_view kArm = "arm";
+inline constexpr std::string_view kPlatform = "platform";
 
 struct SessionLibrary {
   std::vector<tasks::TaskSpec> tasks;             ///< in the order of the list
@@ -21,6 +26,10 @@ struct SessionLibrary {
 /// Reads all files; any thread. Where two files have the same name, the shipped one is used.
 [[nodiscard]] SessionLibrary read_session_library(const std::string& shipped,
                                                   const std::string& own);
+
+/// What can be done with an apparatus of that kind; empty, or another one that is not known here:
+/// as with the platform.
+[[nodiscard]] SessionLibrary for_apparatus(SessionLibrary all, std::string_view kind);
 
 /// The place of the first task that fits; nothing: there is none.
 template <class Fits>

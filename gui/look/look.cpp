@@ -215,6 +215,11 @@ void lay_out_choices(QWidget& page, QWidget& choices, QWidget& body) {
   row->addWidget(&body, 1);
 }
 
+void show_part(QWidget& part, bool shown) {
+  // What stands nowhere yet would become a window.
+  if (part.parentWidget() != nullptr || !shown) part.setVisible(shown);
+}
+
 void mark_next(QWidget& widget, bool next) {
   if (widget.property("next").toBool() == next) return;
   widget.setProperty("next", next);

@@ -61,6 +61,9 @@ void lay_out_choices(QWidget& page, QWidget& choices, QWidget& body);
   return QPolygonF(QVector<QPointF>(corners));
 }
 
+/// Shows a part of a page or not, also before it has been put there.
+void show_part(QWidget& part, bool shown);
+
 /// Marks a widget as the sensible next thing to use: a button is filled in the accent colour, a
 /// list framed in it.
 void mark_next(QWidget& widget, bool next);

@@ -2,6 +2,7 @@
 #include "gui/patient_screen/object_scene.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include <GL/gl.h>
@@ -29,18 +30,55 @@ struct ObjectScene::Parts {
   SoTransform* object_place = new SoTransform;
   SoTransform* ghost_place = new SoTransform;
   SoSwitch* ghost_shown = new SoSwitch;
+  SoSwitch* object_shown = new SoSwitch;
+  SoSwitch* shadow_shown = new SoSwitch;
+  SoSwitch* wall_shadow_shown = new SoSwitch;
+  SoSwitch* ghost_shadow_shown = new SoSwitch;
+  SoSwitch* room = new SoSwitch;  ///< 0: of a virtual object, 1: of a real one
+  SoMatrixTransform* to_floor = new SoMatrixTransform;
+  SoMatrixTransform* ghost_to_floor = new SoMatrixTransform;
+  SoMatrixTransform* to_wall = new SoMatrixTransform;
+  SoMaterial* object_colour = nullptr;  ///< of object_form
   SoSeparator* object_form = new SoSeparator;
   SoSeparator* ghost_form = new SoSeparator;
   SoSeparator* shadow_form = new SoSeparator;
   std::array<FingerNodes, kFingerCount> fingers;
   std::unique_ptr<SoGLRenderAction> action;
   std::shared_ptr<const Scene> scene;
+  std::optional<bool> in_space;  ///< which room is shown
 
-  void rebuild() {
+  /// The room, and where it is looked at from.
+  void enter(bool space) {
+    if (in_space == space) return;
+    in_space = space;
+    room->whichChild.setValue(space ? 1 : 0);
+    const RoomSize& size = space ? kArmRoom : kTableRoom;
+    // One above the other, and above the grid: in the same plane they would flicker.
+    constexpr float kLift_m = 0.002F;
+    if (space)
+      to_floor->matrix.setValue(flatten_to_floor(size, 2.0F * kLift_m));
+    else
+      to_floor->matrix.setValue(flatten_to_floor(size));
+    ghost_to_floor->matrix.setValue(flatten_to_floor(size, kLift_m));
+    to_wall->matrix.setValue(flatten_to_wall(size));
+    if (space) {  // from a little above: the floor tells the depth
+      camera->position.setValue(0, 0.27F, 1.05F);
+      camera->pointAt(SbVec3f(0, 0.02F, 0));
+      camera->heightAngle.setValue(0.46F);
+      camera->farDistance.setValue(4.0F);
+    } else {
+      camera->position.setValue(0, 0.055F, 0.86F);
+      camera->pointAt(SbVec3f(0, 0.016F, 0));
+      camera->heightAngle.setValue(0.46F);
+      camera->farDistance.setValue(2.0F);
+    }
+  }
+
+  void rebuild(bool space) {
     object_form->removeAllChildren();
     ghost_form->removeAllChildren();
     shadow_form->removeAllChildren();
-    object_form->addChild(make_material(kBlockColour));
+    object_form->addChild(object_colour = make_material(kBlockColour));
     object_form->addChild(make_shape(*scene));
     object_form->addChild(make_mark(*scene, kBlockMark, 0.0F));
     shadow_form->addChild(make_shape(*scene));
@@ -48,6 +86,7 @@ struct ObjectScene::Parts {
     ghost_form->addChild(make_material(kGhostColour, 0.72F));
     ghost_form->addChild(make_shape(*scene));
     ghost_form->addChild(make_mark(*scene, kGhostEdge, 0.45F));
+    if (space) ghost_form->addChild(make_corners(*scene, kGhostCorner));
     const auto edges = edges_of(*scene);
     if (edges.empty()) return;
     object_form->addChild(make_lines(edges, kBlockEdge, 1.5F));
@@ -61,37 +100,42 @@ ObjectScene::ObjectScene() {
   Parts& p = *parts_;
   p.root->ref();
   p.root->renderCaching.setValue(SoSeparator::OFF);
-  p.camera->position.setValue(0, 0.055F, 0.86F);
-  p.camera->pointAt(SbVec3f(0, 0.016F, 0));
-  p.camera->heightAngle.setValue(0.46F);
   p.camera->nearDistance.setValue(0.2F);
-  p.camera->farDistance.setValue(2.0F);
+  p.enter(false);
   p.root->addChild(p.camera);
   auto* light = new SoDirectionalLight;
   light->direction.setValue(0.35F, -0.75F, -0.85F);
   light->intensity.setValue(0.95F);
   p.root->addChild(light);
-  p.root->addChild(make_room());
+  p.room->addChild(make_room(kTableRoom));
+  p.room->addChild(make_room(kArmRoom));
+  p.root->addChild(p.room);
 
   auto* shadows = new SoSeparator;
   shadows->addChild(make_flat());
-  for (const auto& [matrix, transparency] :
-       {std::pair{flatten_to_floor(), 0.55F}, std::pair{flatten_to_wall(), 0.82F}}) {
+  const auto make_shadow = [&p](SoMatrixTransform* flatten, SoTransform* place,
+                                const SbColor& colour, float transparency) {
     auto* shadow = new SoSeparator;
-    shadow->addChild(make_material(kShadowColour, transparency));
-    auto* flatten = new SoMatrixTransform;
-    flatten->matrix.setValue(matrix);
+    shadow->addChild(make_material(colour, transparency));
     shadow->addChild(flatten);
-    shadow->addChild(p.object_place);
+    shadow->addChild(place);
     shadow->addChild(p.shadow_form);
-    shadows->addChild(shadow);
-  }
+    return shadow;
+  };
+  // The target's shadow below that of the object: where they differ the depth is not right yet.
+  p.ghost_shadow_shown->addChild(make_shadow(p.ghost_to_floor, p.ghost_place, kGhostColour, 0.5F));
+  p.shadow_shown->addChild(make_shadow(p.to_floor, p.object_place, kShadowColour, 0.55F));
+  p.wall_shadow_shown->addChild(make_shadow(p.to_wall, p.object_place, kShadowColour, 0.82F));
+  shadows->addChild(p.ghost_shadow_shown);
+  shadows->addChild(p.shadow_shown);
+  shadows->addChild(p.wall_shadow_shown);
   p.root->addChild(shadows);
 
   auto* object = new SoSeparator;
   object->addChild(p.object_place);
   object->addChild(p.object_form);
-  p.root->addChild(object);
+  p.object_shown->addChild(object);
+  p.root->addChild(p.object_shown);
   for (auto& finger : p.fingers) p.root->addChild(finger.shown);
   auto* ghost = new SoSeparator;
   // Slightly larger than the block: faces in the same plane would flicker when the block is in
@@ -109,13 +153,28 @@ ObjectScene::~ObjectScene() {
 
 void ObjectScene::show(const PatientPicture& picture) {
   Parts& p = *parts_;
+  p.enter(picture.in_space);
   if (picture.scene != p.scene && picture.scene != nullptr) {
     p.scene = picture.scene;
-    p.rebuild();
+    p.rebuild(picture.in_space);
+  }
+  const auto show_if = [](SoSwitch* part, bool shown) {
+    part->whichChild.setValue(shown ? SO_SWITCH_ALL : SO_SWITCH_NONE);
+  };
+  show_if(p.object_shown, picture.object_shown);
+  show_if(p.shadow_shown, picture.object_shown);
+  show_if(p.wall_shadow_shown, !picture.in_space && picture.object_shown);  // else it is far away
+  show_if(p.ghost_shadow_shown, picture.in_space && picture.target_shown);
+  const SbColor& colour = picture.unseen    ? kUnseenColour
+                          : picture.matched ? kMatchedColour
+                                            : kBlockColour;
+  if (p.object_colour != nullptr) {
+    p.object_colour->diffuseColor.setValue(colour);
+    p.object_colour->ambientColor.setValue(colour);
   }
   p.object_place->translation.setValue(to_sb(picture.X_WO.p));
   p.object_place->rotation.setValue(to_sb(picture.X_WO.q));
-  p.ghost_shown->whichChild.setValue(picture.target_shown ? SO_SWITCH_ALL : SO_SWITCH_NONE);
+  show_if(p.ghost_shown, picture.target_shown);
   p.ghost_place->translation.setValue(to_sb(picture.X_WT.p));
   p.ghost_place->rotation.setValue(to_sb(picture.X_WT.q));
   for (std::size_t f = 0; f < kFingerCount; ++f) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The 3D picture of the patient's screen: block, ghost of the target, three virtual fingers, floor
-// and wall with grid and shadows. World: x right, y up, z to the viewer [m]. Needs a current OpenGL
+// and wall with grid and shadows; of a real object the same in a larger room, without fingers.
+// World: x right, y up, z to the viewer [m]. Needs a current OpenGL
 // context (compatibility profile) in draw() only.
 #pragma once
 

@@ -9,6 +9,7 @@
 #include "gui/look/look.hpp"
 #include "gui/patient_screen/patient_directions.hpp"
 #include "gui/patient_screen/patient_ink.hpp"
+#include "gui/patient_screen/patient_range.hpp"
 #include "gui/patient_screen/patient_signs.hpp"
 
 namespace isograsp::gui {
@@ -285,6 +286,10 @@ void paint_page(QPainter& painter, const QRectF& area, const PatientPicture& pic
     case PatientPicture::Page::effort: draw_effort(painter, area, picture); break;
     case PatientPicture::Page::tracking: draw_tracking(painter, area, picture); break;
     case PatientPicture::Page::directions: draw_directions(painter, area, picture); break;
+    case PatientPicture::Page::range:
+      draw_words(painter, area, picture);
+      paint_range(painter, part(area, 0.06, 0.30, 0.94, 0.92), picture);
+      break;
     default: draw_message(painter, area, picture);
   }
   if (picture.progress_shown) draw_progress(painter, area, picture.progress);

@@ -213,6 +213,18 @@ void PatientWindow::draw_object(const PatientPicture& picture, const QRect& cont
     const auto place = scene_->project(finger.tip_W - kBehindTip_m * finger.axis_W, size);
     painter.drawImage(place - QPointF(check_.width() / 2.0, check_.height() / 2.0), check_);
   }
+  if (picture.matched) {
+    const int diameter = size.height() / 9;
+    if (tick_.width() != diameter) {
+      tick_ = QImage(diameter, diameter, QImage::Format_ARGB32_Premultiplied);
+      tick_.fill(Qt::transparent);
+      QPainter mark(&tick_);
+      paint_check(mark, QPointF(diameter / 2.0, diameter / 2.0), 0.44 * diameter);
+    }
+    // Above the object, which is to be seen.
+    const auto place = scene_->project(picture.X_WO.p, size);
+    painter.drawImage(place - QPointF(diameter / 2.0, 1.9 * diameter), tick_);
+  }
   if (picture.hold_fraction > 0.0) {
     const int diameter = size.height() / 8;
     if (ring_.width() != diameter)

@@ -64,6 +64,7 @@ class PatientWindow final : public QOpenGLWindow {
   QString banner_key_;
   QImage check_;
   QImage ring_;
+  QImage tick_;
   long long pictures_ = 0;
   double drawing_s_ = 0.0;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/patient_screen/scene_nodes.hpp"
 
+#include <algorithm>
+
 #include <Inventor/nodes/SoCone.h>
 #include <Inventor/nodes/SoCoordinate3.h>
 #include <Inventor/nodes/SoCube.h>
@@ -19,13 +21,6 @@
 namespace isograsp::gui::scene_nodes {
 
 namespace {
-
-constexpr float kFloor_m = -0.160F;  ///< y of the floor
-constexpr float kWall_m = -0.110F;   ///< z of the wall
-constexpr float kFront_m = 0.160F;   ///< z to which the floor reaches
-constexpr float kHalfWidth_m = 0.60F;
-constexpr float kTop_m = 0.49F;
-constexpr float kGrid_m = 0.05F;
 
 const SbColor kFloorColour(0.83F, 0.86F, 0.89F);
 const SbColor kGridColour(0.74F, 0.78F, 0.82F);
@@ -102,29 +97,23 @@ SoSeparator* make_lines(const std::vector<SbVec3f>& ends, const SbColor& colour,
   return lines;
 }
 
-SoSeparator* make_room() {
+SoSeparator* make_room(const RoomSize& size) {
   auto* room = new SoSeparator;
-  const float w = kHalfWidth_m;
-  room->addChild(make_plane({{-w, kFloor_m, kWall_m},
-                             {w, kFloor_m, kWall_m},
-                             {w, kTop_m, kWall_m},
-                             {-w, kTop_m, kWall_m}},
+  const auto& [floor, wall, front, w, top, grid] = size;
+  room->addChild(make_plane({{-w, floor, wall}, {w, floor, wall}, {w, top, wall}, {-w, top, wall}},
                             kWallColour));
-  room->addChild(make_plane({{-w, kFloor_m, kFront_m},
-                             {w, kFloor_m, kFront_m},
-                             {w, kFloor_m, kWall_m},
-                             {-w, kFloor_m, kWall_m}},
-                            kFloorColour));
+  room->addChild(make_plane(
+      {{-w, floor, front}, {w, floor, front}, {w, floor, wall}, {-w, floor, wall}}, kFloorColour));
   constexpr float kLift_m = 0.0006F;  // above the planes: coplanar lines would flicker
   std::vector<SbVec3f> ends;
-  for (float x = -w; x <= w + 1e-4F; x += kGrid_m) {
-    ends.insert(ends.end(), {{x, kFloor_m, kWall_m + kLift_m}, {x, kTop_m, kWall_m + kLift_m}});
-    ends.insert(ends.end(), {{x, kFloor_m + kLift_m, kWall_m}, {x, kFloor_m + kLift_m, kFront_m}});
+  for (float x = -w; x <= w + 1e-4F; x += grid) {
+    ends.insert(ends.end(), {{x, floor, wall + kLift_m}, {x, top, wall + kLift_m}});
+    ends.insert(ends.end(), {{x, floor + kLift_m, wall}, {x, floor + kLift_m, front}});
   }
-  for (float y = kFloor_m + kGrid_m; y < kTop_m; y += kGrid_m)
-    ends.insert(ends.end(), {{-w, y, kWall_m + kLift_m}, {w, y, kWall_m + kLift_m}});
-  for (float z = kWall_m; z <= kFront_m; z += kGrid_m)
-    ends.insert(ends.end(), {{-w, kFloor_m + kLift_m, z}, {w, kFloor_m + kLift_m, z}});
+  for (float y = floor + grid; y < top; y += grid)
+    ends.insert(ends.end(), {{-w, y, wall + kLift_m}, {w, y, wall + kLift_m}});
+  for (float z = wall; z <= front; z += grid)
+    ends.insert(ends.end(), {{-w, floor + kLift_m, z}, {w, floor + kLift_m, z}});
   room->addChild(make_lines(ends, kGridColour, 1.0F));
   return room;
 }
@@ -216,19 +205,39 @@ FingerNodes::FingerNodes() : shown(new SoSwitch), place(new SoTransform), form(n
   shown->addChild(group);
 }
 
-SbMatrix flatten_to_floor() {
+SoSeparator* make_corners(const Scene& scene, const SbColor& colour) {
+  constexpr float kRadius = 0.09F;  // of the shortest edge
+  const SbVec3f size = extent_of(scene);
+  auto* corners = new SoSeparator;
+  corners->addChild(make_material(colour));
+  for (const float x : {-0.5F, 0.5F})
+    for (const float y : {-0.5F, 0.5F})
+      for (const float z : {-0.5F, 0.5F}) {
+        auto* one = new SoSeparator;
+        auto* place = new SoTranslation;
+        place->translation.setValue(x * size[0], y * size[1], z * size[2]);
+        auto* ball = new SoSphere;
+        ball->radius.setValue(kRadius * std::min({size[0], size[1], size[2]}));
+        one->addChild(place);
+        one->addChild(ball);
+        corners->addChild(one);
+      }
+  return corners;
+}
+
+SbMatrix flatten_to_floor(const RoomSize& size, float lift_m) {
   SbMatrix m = SbMatrix::identity();
   m[1][1] = 0.0F;
-  m[3][1] = kFloor_m + 0.0012F;
+  m[3][1] = size.floor + lift_m;
   return m;
 }
-SbMatrix flatten_to_wall() {
+SbMatrix flatten_to_wall(const RoomSize& size) {
   // Light from the upper left: the shadow falls a little to the right and down.
   SbMatrix m = SbMatrix::identity();
   m[2][2] = 0.0F;
   m[3][0] = 0.012F;
   m[3][1] = -0.016F;
-  m[3][2] = kWall_m + 0.0012F;
+  m[3][2] = size.wall + 0.0012F;
   return m;
 }
 

@@ -26,6 +26,9 @@ inline const SbColor kBlockMark(0.97F, 0.98F, 1.00F);
 inline const SbColor kBlockEdge(0.05F, 0.14F, 0.26F);
 inline const SbColor kGhostColour(0.96F, 0.66F, 0.10F);
 inline const SbColor kGhostEdge(0.45F, 0.27F, 0.00F);
+inline const SbColor kGhostCorner(1.00F, 0.90F, 0.25F);
+inline const SbColor kMatchedColour(0.00F, 0.55F, 0.36F);
+inline const SbColor kUnseenColour(0.66F, 0.69F, 0.72F);
 
 [[nodiscard]] inline SbVec3f to_sb(const Vec3& v) {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
@@ -41,8 +44,22 @@ inline const SbColor kGhostEdge(0.45F, 0.27F, 0.00F);
 /// Each pair of points is a line.
 [[nodiscard]] SoSeparator* make_lines(const std::vector<SbVec3f>& ends, const SbColor& colour,
                                       float width_px);
+/// Where floor and wall are, and how far they reach [m].
+struct RoomSize {
+  float floor;  ///< y
+  float wall;   ///< z
+  float front;  ///< z to which the floor reaches
+  float half_width;
+  float top;  ///< y
+  float grid;
+};
+/// Round a virtual object, which the device holds in its place.
+inline constexpr RoomSize kTableRoom{-0.160F, -0.110F, 0.160F, 0.60F, 0.49F, 0.05F};
+/// Round a real object, which an arm moves.
+inline constexpr RoomSize kArmRoom{-0.190F, -0.50F, 0.50F, 1.20F, 0.90F, 0.10F};
+
 /// Floor and wall with their grid.
-[[nodiscard]] SoSeparator* make_room();
+[[nodiscard]] SoSeparator* make_room(const RoomSize& size);
 [[nodiscard]] SoNode* make_shape(const Scene& scene);
 /// The edges of a box; other shapes have none.
 [[nodiscard]] std::vector<SbVec3f> edges_of(const Scene& scene);
@@ -57,8 +74,11 @@ struct FingerNodes {
   SoSwitch* form;  ///< 0: approaching, 1: touching
 };
 
-/// Projections that make a shadow out of what follows.
-[[nodiscard]] SbMatrix flatten_to_floor();
-[[nodiscard]] SbMatrix flatten_to_wall();
+/// A bright ball in each corner of a box.
+[[nodiscard]] SoSeparator* make_corners(const Scene& scene, const SbColor& colour);
+
+/// Projections that make a shadow out of what follows, so far above the floor, or before the wall.
+[[nodiscard]] SbMatrix flatten_to_floor(const RoomSize& size, float lift_m = 0.0012F);
+[[nodiscard]] SbMatrix flatten_to_wall(const RoomSize& size);
 
 }  // namespace isograsp::gui::scene_nodes

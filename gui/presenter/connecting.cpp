@@ -107,7 +107,9 @@ void Connecting::begin(std::unique_ptr<session::Session> session, const Presenta
   const bool numb_skin = choices.today.screening.applies[static_cast<std::size_t>(Caution::skin)];
   const bool rests = !session->known().apparatus.recorded &&
                      session->known().asks_for(session::PreparationStep::rest);
-  const auto task = first_task(state_.library.tasks, rests ? is_rest : is_free_handling);
+  const auto task = session->known().arm
+                        ? std::nullopt
+                        : first_task(state_.library.tasks, rests ? is_rest : is_free_handling);
   state_.left = {};
   state_.open.emplace(std::move(session), clock_.now(), numb_skin, stored,
                       task ? task : choices.task);

@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
-#include "gui/presenter/window_apparatuses.hpp"
 #include "session/acquisition/realtime.hpp"
+#include "session/open_apparatus.hpp"
 #include "session/resting.hpp"
 
 namespace isograsp::gui {
@@ -22,7 +22,7 @@ struct GuiConfig {
   bool look_only = false;  ///< another program works with the file: nothing is added or changed
   double settle_after_strapping_s = session::kSettleAfterStrapping_s;
   /// What a device URI opens; others in tests.
-  std::span<const session::ApparatusRow> apparatuses = window_apparatuses();
+  std::span<const session::ApparatusRow> apparatuses = session::all_apparatuses();
 };
 
 }  // namespace isograsp::gui

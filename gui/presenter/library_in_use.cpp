@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/presenter/library_in_use.hpp"
 
+#include <array>
 #include <filesystem>
 #include <utility>
 
@@ -12,13 +13,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The protocol that is proposed at first.
-constexpr const char* kUsualProtocol = "battery";
+/// The protocols that are proposed at first, of platform and arm.
+constexpr std::array<const char*, 2> kUsualProtocols{"battery", "arm_assessment"};
 
 std::optional<int> place_of_usual(const std::vector<session::ReadyProtocol>& protocols) {
   for (std::size_t i = 0; i < protocols.size(); ++i)
-    if (fs::path(protocols[i].spec.file).stem() == kUsualProtocol) return static_cast<int>(i);
+    for (const char* const usual : kUsualProtocols)
+      if (fs::path(protocols[i].spec.file).stem() == usual) return static_cast<int>(i);
   return std::nullopt;
+}
+
+bool is_of_arm(const tasks::TaskSpec& spec) {
+  return spec.apparatus() == kArm;
 }
 
 }  // namespace
@@ -26,7 +32,11 @@ std::optional<int> place_of_usual(const std::vector<session::ReadyProtocol>& pro
 LibraryInUse::LibraryInUse(const ActContext& with, SessionChoices& choices, NextWork& next)
     : state_(with.state), flow_(with.flow), worker_(with.worker), choices_(choices), next_(next) {
   const GuiConfig& config = state_.config;
-  take(read_session_library(config.library, session::own_library_folder(config.database)));
+  all_ = read_session_library(config.library, session::own_library_folder(config.database));
+  take();
+  QObject::connect(&flow_, &SessionFlow::changed, &flow_, [this] {
+    if (!state_.busy() && apparatus_ != state_.choices.apparatus) take();
+  });
 }
 
 void LibraryInUse::reload() {
@@ -40,19 +50,26 @@ void LibraryInUse::reload() {
 void LibraryInUse::look() {
   const bool opening = state_.connection.phase == Connection::opening;
   const bool starting = state_.open && state_.open->starting();
-  if (newer_ && !opening && !flow_.view().may_stop && !starting)
-    take(*std::exchange(newer_, std::nullopt));
+  if (!newer_ || opening || flow_.view().may_stop || starting) return;
+  all_ = *std::exchange(newer_, std::nullopt);
+  take();
 }
 
-void LibraryInUse::take(SessionLibrary library) {
-  const SessionLibrary before = std::exchange(state_.library, std::move(library));
+/// What there is for the chosen apparatus.
+void LibraryInUse::take() {
+  Choices& choices = state_.choices;
+  const SessionLibrary before =
+      std::exchange(state_.library, for_apparatus(all_, choices.apparatus));
+  const bool other = std::exchange(apparatus_, choices.apparatus) != choices.apparatus;
+  const bool first = before.tasks.empty() && before.protocols.empty();
   keep_tasks(before);
   next_.look_at_task();
-  const bool first = before.tasks.empty() && before.protocols.empty();
-  if (first)
-    state_.choices.protocol = place_of_usual(state_.library.protocols);
-  else
+  if (first || (other && choices.protocol)) {
+    choices.protocol = place_of_usual(state_.library.protocols);
+    if (!first) choices_.look_for_earlier();
+  } else {
     keep_protocol(before);
+  }
   Q_EMIT flow_.library_changed();
 }
 
@@ -62,7 +79,7 @@ void LibraryInUse::keep_tasks(const SessionLibrary& before) {
     if (task)
       task =
           place_of_file(state_.library.tasks, before.tasks[static_cast<std::size_t>(*task)].file);
-    if (!task) task = first_task(state_.library.tasks, is_rest);
+    if (!task) task = first_task(state_.library.tasks, state_.measures_arm() ? is_of_arm : is_rest);
   };
   keep(state_.choices.task);
   if (state_.open) keep(state_.open->work.task);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tasks and protocols that can be chosen, and what becomes of the choice when their files change.
+// Tasks and protocols that can be chosen: those of the apparatus that is; and what becomes of the
+// choice when their files, or the apparatus, change.
 // GUI thread; files are read on the worker.
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "gui/presenter/act_context.hpp"
 #include "gui/presenter/next_work.hpp"
@@ -23,7 +25,7 @@ class LibraryInUse {
   void look();
 
  private:
-  void take(SessionLibrary library);
+  void take();
   void keep_tasks(const SessionLibrary& before);
   void keep_protocol(const SessionLibrary& before);
 
@@ -32,6 +34,8 @@ class LibraryInUse {
   Background& worker_;
   SessionChoices& choices_;
   NextWork& next_;
+  SessionLibrary all_;                   ///< of every apparatus
+  std::string apparatus_;                ///< whose part of it is in use
   std::optional<SessionLibrary> newer_;  ///< read, waits for the end of a trial
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "gui/rules/patient_picture.hpp"
+#include "session/arm/arm_snapshot.hpp"
 #include "session/platform/snapshot.hpp"
 
 namespace isograsp::gui {
@@ -15,6 +16,21 @@ namespace isograsp::gui {
   facts.pause_cause = now.pause_cause;
   facts.published = now.published;
   facts.stimulus = session::screen_of(now);
+  return facts;
+}
+/// The same of an arm; in the middle of its picture stands where the object was in the start
+/// posture, or where it was seen last.
+[[nodiscard]] inline PatientFacts patient_facts(const session::ArmSnapshot& now) {
+  PatientFacts facts;
+  facts.arrived = now.frames > 0;
+  facts.stage = now.stage;
+  facts.pause_cause = now.pause_cause;
+  facts.published = now.published;
+  facts.stimulus = session::screen_of(now);
+  if (now.start_p_WO.allFinite())
+    facts.centre_W = now.start_p_WO;
+  else if (now.last_X_WO.p.allFinite())
+    facts.centre_W = now.last_X_WO.p;
   return facts;
 }
 

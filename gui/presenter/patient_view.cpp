@@ -26,8 +26,16 @@ PatientView::PatientView(const ActContext& with)
       example_(with.example),
       clock_(with.clock) {}
 
+namespace {
+
+PatientFacts facts_of_frame(const OpenSession& open) {
+  return open.arm ? patient_facts(*open.arm) : patient_facts(open.snapshot);
+}
+
+}  // namespace
+
 PatientFacts PatientView::facts() const {
-  PatientFacts facts = state_.open ? patient_facts(state_.open->snapshot) : PatientFacts{};
+  PatientFacts facts = state_.open ? facts_of_frame(*state_.open) : PatientFacts{};
   facts.simulated = state_.simulated();
   facts.broken_off = !state_.open && state_.broken_off();
   if (!state_.open) return facts;
@@ -36,6 +44,7 @@ PatientFacts PatientView::facts() const {
   facts.session_open = true;
   facts.device_fault = now.frames > 0 && now.stage != session::Stage::finished &&
                        flow_.view().device_mood == Mood::fault;
+  facts.arm = open.arm_space;
   facts.hand = open.session->known().record.hand.value_or(Hand::right);
   facts.maximum_force_N = open.session->known().maximum_force_N();
   if (const auto& trial = open.trial) {

@@ -3,7 +3,9 @@
 
 #include <QString>
 #include <cmath>
+#include <numbers>
 #include <string>
+#include <vector>
 
 #include "gui/library/task_groups.hpp"
 
@@ -54,6 +56,37 @@ void Preparing::take(const session::PreparationOutcome& zero) {
   Q_EMIT flow_.changed();
 }
 
+void Preparing::check_picture() {
+  auto& open = state_.open;
+  if (!open || open->arm_space == nullptr) return;
+  if (open->picture_check.running())
+    open->picture_check.stop();
+  else if (flow_.view().may_choose_task)
+    open->picture_check.begin();
+  flow_.update();
+}
+
+/// What came of it is stored with the session.
+void Preparing::look_at_picture() {
+  OpenSession& open = *state_.open;
+  PictureCheck& check = open.picture_check;
+  if (!open.arm || !check.running()) return;
+  if (!flow_.view().may_choose_task) check.stop();  // a trial begins
+  if (!check.add(*open.arm, *open.arm_space)) return;
+  if (check.over()) {
+    std::vector<storage::SessionAnswer> answers;
+    for (std::size_t k = 0; k < PictureCheck::kWays; ++k) {
+      constexpr double kDegreesPerRad = 180.0 / std::numbers::pi;
+      const std::string way(name_of(static_cast<PictureCheck::Way>(k)));
+      answers.push_back(
+          {"picture_check", way + "_off_deg",
+           QString::number(kDegreesPerRad * *check.off_rad()[k], 'f', 1).toStdString()});
+    }
+    if (auto taken = open.session->answer(answers); !taken) flow_.refuse(taken.error());
+  }
+  Q_EMIT flow_.changed();
+}
+
 void Preparing::mark_strapped() {
   if (!flow_.view().may_strap) return;
   example_.stop();
@@ -83,6 +116,7 @@ void Preparing::mark_strapped() {
 
 void Preparing::look() {
   OpenSession& open = *state_.open;
+  look_at_picture();
   open.compensation.add(open.snapshot);
   for (const Finger finger : kFingers) {
     const auto shift_m = open.compensation.pad_shift_m(finger);

@@ -13,8 +13,10 @@ class Preparing {
   Preparing(const ActContext& with, NextWork& next);
 
   /// The operator has confirmed that the device is empty, and perhaps that it was serviced or
-  /// remounted since its last zero.
+  /// remounted since its last zero. Of an arm: its start posture is measured, it is held still.
   void set_zero(bool accept_changed = false);
+  /// Begins to look whether the picture of an arm moves as the arm does; called again, it stops.
+  void check_picture();
   void mark_strapped();  ///< the hand is in and strapped, or the straps were looked at again
 
   // @pre a session is open
@@ -24,6 +26,8 @@ class Preparing {
   void look();
 
  private:
+  void look_at_picture();
+
   SessionState& state_;
   SessionFlow& flow_;
   const Seating& seating_;

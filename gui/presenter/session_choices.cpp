@@ -72,6 +72,7 @@ void SessionChoices::answer_screening(const Screening& answers) {
 void SessionChoices::choose_device(const std::string& uri) {
   if (!flow_.view().may_change_device) return;
   state_.choices.device_uri = uri;
+  state_.choices.apparatus = session::kind_of_apparatus(uri, state_.config.apparatuses);
   state_.connection.failure.reset();
   look_for_earlier();
   flow_.update();

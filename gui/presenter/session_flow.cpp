@@ -31,6 +31,12 @@ ProtocolFacts protocol_facts(const ProtocolGuide& guide, bool by_itself, double 
   return facts;
 }
 
+void add_camera_facts(const session::ArmSnapshot& now, FlowFacts& facts) {
+  facts.health.state = now.health.state;
+  facts.camera_fault = now.health.fault;
+  facts.at_rest = now.picture && !stops_markers(now.health.fault);
+}
+
 }  // namespace
 
 SessionFlow::SessionFlow(const SessionState& state, const Clinic& clinic, const PersonFile& file,
@@ -87,6 +93,8 @@ FlowFacts SessionFlow::facts() const {
   facts.connection = state_.connection.phase;
   if (state_.connection.failure) facts.connection_error = state_.connection.failure->words;
   facts.recorded = state_.recorded();
+  facts.start_posture = state_.measures_arm();
+  facts.asks_rest = !facts.start_posture;  // until the device says it itself
   if (state_.open) add_session_facts(*state_.open, facts);
   add_task_facts(facts);
   return facts;
@@ -105,7 +113,9 @@ void SessionFlow::add_session_facts(const OpenSession& open, FlowFacts& facts) c
   facts.pause_cause = now.pause_cause;
   facts.at_rest = open.trial && open.trial->rest_watch.at_rest();
   facts.health = now.health;
-  facts.asks_zero = open.session->known().asks_for(session::PreparationStep::zero);
+  if (open.arm) add_camera_facts(*open.arm, facts);
+  facts.asks_zero =
+      open.session->known().asks_for(session::PreparationStep::zero) || facts.start_posture;
   facts.asks_rest = open.session->known().asks_for(session::PreparationStep::rest);
   facts.zeroed = now.zeroed;
   facts.restarted = now.restarted;
@@ -139,6 +149,7 @@ void SessionFlow::add_task_facts(FlowFacts& facts) const {
   facts.task_chosen = spec != nullptr;
   if (spec == nullptr) return;
   facts.task_rests = is_rest(*spec) && facts.asks_rest;
+  facts.task_can_be_shown = spec->apparatus() != kArm;
   facts.task_name = spec->name;
   if (open) facts.task_lacks = open->work.task_lacks;
 }

@@ -15,7 +15,18 @@ SessionState state_at_start(const GuiConfig& config) {
   SessionState state;
   state.config = config;
   state.choices.device_uri = config.device_uri;
+  state.choices.apparatus = session::kind_of_apparatus(config.device_uri, config.apparatuses);
   return state;
+}
+
+/// Of the newest frame.
+std::optional<DeviceFaultSeen> fault_of(const OpenSession& open) {
+  const double t_s = open.snapshot.session_time_s;
+  if (open.arm && open.arm->health.fault != MarkerFault::none)
+    return DeviceFaultSeen{t_s, words_of(open.arm->health.fault)};
+  const DeviceHealth& health = open.snapshot.health;
+  if (health.fault == DeviceFault::none) return std::nullopt;
+  return DeviceFaultSeen{t_s, words_of(health.fault, health.finger)};
 }
 
 }  // namespace
@@ -60,8 +71,8 @@ void SessionPresenter::poll() {
 }
 
 void SessionPresenter::look_at_session() {
-  const DeviceHealth before = state_.open->snapshot.health;
-  state_.open->snapshot = state_.open->session->snapshot();
+  const std::optional<DeviceFaultSeen> before = fault_of(*state_.open);
+  state_.open->look();
   look_at_device(before);
   preparing_.look();
   trials_.look();
@@ -74,13 +85,12 @@ void SessionPresenter::look_at_session() {
 }
 
 /// What is to be seen of the stream: forces, faults, lateness.
-void SessionPresenter::look_at_device(const DeviceHealth& before) {
+void SessionPresenter::look_at_device(const std::optional<DeviceFaultSeen>& before) {
   const session::Snapshot& now = state_.open->snapshot;
   SessionTraces& traces = state_.open->traces;
-  if (now.health.fault != DeviceFault::none &&
-      (now.health.fault != before.fault || now.health.finger != before.finger))
-    traces.faults.push_back({now.session_time_s, words_of(now.health.fault, now.health.finger)});
-  traces.forces.add(now);
+  const auto fault = fault_of(*state_.open);
+  if (fault && !(before && before->words == fault->words)) traces.faults.push_back(*fault);
+  if (!state_.open->arm) traces.forces.add(now);
   traces.worst_lateness_s = std::max(traces.worst_lateness_s, now.lateness_s);
 }
 

@@ -52,7 +52,7 @@ class SessionPresenter final : public QObject {
 
  private:
   void look_at_session();
-  void look_at_device(const DeviceHealth& before);
+  void look_at_device(const std::optional<DeviceFaultSeen>& before);
 
   SteadyClock clock_;
   SessionState state_;

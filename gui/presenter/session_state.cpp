@@ -28,6 +28,23 @@ Result<tasks::TaskSpec> Work::at_chosen_level(const tasks::TaskSpec& spec) const
   return tasks::at_level(spec, chosen->second);
 }
 
+void OpenSession::look() {
+  const session::ArmSnapshot* const newest = session::arm_of(*session);
+  if (newest == nullptr) {
+    snapshot = session->snapshot();
+    return;
+  }
+  arm = *newest;
+  static_cast<session::Moment&>(snapshot) = *newest;  // one frame, not two
+  still.add(*arm);
+  traces.markers.add(*arm);
+  traces.turns.add(*arm);
+}
+
+bool SessionState::measures_arm() const noexcept {
+  return open ? open->arm_space != nullptr : choices.apparatus == kArm;
+}
+
 bool SessionState::simulated() const noexcept {
   if (open) return open->session->known().device.simulated;
   return choices.device_uri.rfind("sim://", 0) == 0;

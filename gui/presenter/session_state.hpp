@@ -16,11 +16,16 @@
 #include "core/histogram.hpp"
 #include "gui/library/session_library.hpp"
 #include "gui/look/force_history.hpp"
+#include "gui/look/marker_history.hpp"
 #include "gui/presenter/gui_config.hpp"
+#include "gui/rules/arm_live.hpp"
+#include "gui/rules/arm_space.hpp"
 #include "gui/rules/flow.hpp"
+#include "gui/rules/picture_check.hpp"
 #include "gui/rules/presentation.hpp"
 #include "gui/rules/protocol_guide.hpp"
 #include "gui/rules/screening.hpp"
+#include "gui/rules/still_watch.hpp"
 #include "session/compensation.hpp"
 #include "session/rest_watch.hpp"
 #include "session/session.hpp"
@@ -33,6 +38,8 @@ struct Choices {
   std::string operator_name;  ///< who has logged in; empty: as the settings say
   std::string patient;        ///< code; empty: nobody
   std::string device_uri;     ///< empty: none
+  /// What it is, as far as the URI tells: tasks and protocols of that are offered.
+  std::string apparatus;
   /// Places in the library. No protocol: tasks are chosen by hand, one by one.
   std::optional<int> protocol;
   std::optional<int> task;  ///< by hand, while no session is open
@@ -77,6 +84,8 @@ struct DeviceFaultSeen {
 /// is chosen.
 struct SessionTraces {
   ForceHistory forces{};
+  MarkerHistory markers{};
+  LinkTurns turns{};                    ///< of an arm, since its target appeared
   std::vector<DeviceFaultSeen> faults;  ///< oldest first
   double worst_lateness_s = 0.0;
   std::optional<session::TrialOutcome> last_trial;
@@ -158,11 +167,21 @@ struct OpenSession {
       : session(std::move(of)), opened(now), stored_presentation(stored) {
     limits.begin(numb_skin);
     work.task = task;
+    const session::SessionKnowledge& known = session->known();
+    if (known.arm)
+      arm_space =
+          std::make_shared<const ArmSpace>(*known.arm, known.record.hand.value_or(Hand::right));
   }
+  /// The newest frame.
+  void look();
 
   std::unique_ptr<session::Session> session;
   Timestamp opened;
-  session::Snapshot snapshot;
+  session::Snapshot snapshot;                 ///< of an arm: what every session has
+  std::optional<session::ArmSnapshot> arm;    ///< nothing: it is no arm, or nothing has come
+  std::shared_ptr<const ArmSpace> arm_space;  ///< null: it is no arm
+  StillWatch still;
+  PictureCheck picture_check;
   Preparation preparation;
   Work work;
   Rating rating;
@@ -200,6 +219,9 @@ struct SessionState {
   [[nodiscard]] const DeviceInfo* device() const noexcept;
   /// What the acquisition thread was given; empty: not asked for.
   [[nodiscard]] Text realtime() const;
+
+  /// An arm seen by cameras is connected, or chosen.
+  [[nodiscard]] bool measures_arm() const noexcept;
 
   // Of the session that is open; else as if nothing had happened yet.
   [[nodiscard]] const session::Snapshot& snapshot() const noexcept;

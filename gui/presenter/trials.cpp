@@ -78,6 +78,7 @@ void Trials::prepare_picture(const tasks::TaskSpec& spec, const tasks::TaskConte
   RunningTrial& trial = *state_.open->trial;
   trial.task = std::make_shared<tasks::TaskSpec>(spec);
   trial.preview = std::make_shared<TargetPreview>(preview_target(spec, context));
+  if (state_.open->arm_space != nullptr) return;  // what is moved is real
   const session::Session& session = *state_.open->session;
   // The session has just read the same file: a failure here would have been refused there.
   auto read = session::read_trial_scene(spec, session.known().record.hand.value_or(Hand::right),

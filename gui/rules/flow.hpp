@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "device/cameras/marker_device.hpp"
 #include "session/platform/snapshot.hpp"
 
 namespace isograsp::gui {
@@ -62,9 +63,14 @@ struct FlowFacts {
   bool anything_arrived = false;
   session::Stage stage = session::Stage::idle;
   session::PauseCause pause_cause = session::PauseCause::none;
-  bool at_rest = false;  ///< while paused by a fault: the hand has let go, forces look as at rest
+  /// While paused by a fault: the hand has let go, forces look as at rest; cameras send pictures.
+  bool at_rest = false;
   DeviceHealth health;
   bool asks_zero = true;  ///< the device does, before the work
+  /// It is cameras that see an arm: what it asks for is the start posture, held still, and all that
+  /// is said here of a zero is said of that. A recording asks for it, too.
+  bool start_posture = false;
+  MarkerFault camera_fault = MarkerFault::none;
   bool asks_rest = true;  ///< and for a hand that rests in it
   bool zeroed = false;
   std::optional<Finger> restarted;  ///< whose sensor started anew after that zero
@@ -85,7 +91,8 @@ struct FlowFacts {
   bool zero_asked = false;  ///< and its outcome has not come
   bool starting = false;  ///< a start was asked for, no frame of it has come; or its end is stored
   bool task_chosen = false;
-  bool task_rests = true;  ///< the resting force is measured
+  bool task_rests = true;         ///< the resting force is measured
+  bool task_can_be_shown = true;  ///< by a simulated hand
   std::string task_name;
   std::string task_lacks;  ///< a force that the task is scaled to and that was not measured: why
   /// Of the last trial in this session, which may be repeated; nothing: there was none.
@@ -194,8 +201,9 @@ struct FlowView {
   Situation situation = Situation::database_opening;
   DeviceCondition device = DeviceCondition::absent;
   std::array<StepState, kStepCount> steps{};
-  std::string sentence;   ///< state and next step, in plain words
-  Mood mood = Mood::off;  ///< of the whole
+  bool start_posture = false;  ///< Step::zero is the start posture of an arm
+  std::string sentence;        ///< state and next step, in plain words
+  Mood mood = Mood::off;       ///< of the whole
   Mood device_mood = Mood::off;
   std::string device_words;    ///< beside the device's light
   bool device_speaks = false;  ///< the sentence begins with them

@@ -74,13 +74,13 @@ void decide_between_trials(const FlowFacts& facts, bool sound, FlowView& view) {
   const bool ready = quiet && sound;
   const bool zero = has_zero(facts);
   const bool live = ready && !facts.recorded;
-  view.may_zero = live && facts.asks_zero;
+  view.may_zero = (live || (ready && facts.start_posture)) && facts.asks_zero;
   view.may_accept_changed = view.may_zero && facts.zero_only_changed;
-  view.may_check = view.may_zero;
+  view.may_check = view.may_zero && !facts.start_posture;
   view.may_strap = live && facts.asks_rest && zero && (!facts.strapped || facts.straps_due);
   view.may_choose_task = !in_trial(facts) && !facts.starting && !facts.zero_asked;
   view.may_show_how =
-      view.may_choose_task && facts.task_chosen && !facts.recorded &&
+      view.may_choose_task && facts.task_chosen && facts.task_can_be_shown && !facts.recorded &&
       facts.connection != Connection::opening && facts.connection != Connection::closing &&
       facts.stage != session::Stage::zeroing && facts.stage != session::Stage::finished;
   view.may_begin = ready && obstacle_of(facts) == Obstacle::none;

@@ -10,6 +10,8 @@ bool in_trial(const FlowFacts& facts) {
 
 session::ZeroStanding zero_of(const FlowFacts& facts) {
   if (!facts.asks_zero) return session::ZeroStanding::good;
+  if (facts.start_posture)
+    return facts.zeroed ? session::ZeroStanding::good : session::ZeroStanding::missing;
   return session::standing_of_zero(facts.recorded, facts.zeroed, facts.restarted.has_value());
 }
 
@@ -43,6 +45,7 @@ DeviceCondition condition_of(const FlowFacts& facts) {
   const bool answered = facts.health.fault == DeviceFault::restarted &&
                         (zeroing || (has_zero(facts) && !facts.recorded));
   if (facts.health.fault != DeviceFault::none && !answered) return Condition::degraded;
+  if (facts.camera_fault != MarkerFault::none) return Condition::degraded;
   if (facts.stage == session::Stage::paused &&
       facts.pause_cause == session::PauseCause::missing_samples)
     return Condition::gap;

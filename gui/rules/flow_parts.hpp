@@ -13,8 +13,8 @@ namespace isograsp::gui {
 /// It is good.
 [[nodiscard]] bool has_zero(const FlowFacts& facts);
 /// A trial that the therapist has paused goes on as it stands. After a fault, or the restart of a
-/// sensor during that pause: from rest only, and with a zero that has not moved. Out of sight: by
-/// itself.
+/// sensor during that pause: from rest only, and with a zero that has not moved; before cameras: as
+/// soon as they send pictures again. Out of sight: by itself.
 [[nodiscard]] bool may_go_on(const FlowFacts& facts);
 [[nodiscard]] DeviceCondition condition_of(const FlowFacts& facts);
 [[nodiscard]] Mood mood_of(DeviceCondition condition);

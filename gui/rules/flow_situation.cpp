@@ -44,7 +44,8 @@ Situation by_hand(const FlowFacts& facts) {
 
 Situation between_trials(const FlowFacts& facts) {
   if (facts.starting) return Situation::starting;
-  if (!facts.recorded && !facts.zero_refusal.empty()) return Situation::zero_refused;
+  if ((!facts.recorded || facts.start_posture) && !facts.zero_refusal.empty())
+    return Situation::zero_refused;
   if (!has_zero(facts)) {
     if (!facts.stop_reason.empty()) return Situation::stop_work;  // nobody comes back for it
     return zero_of(facts) == session::ZeroStanding::outdated ? Situation::zero_outdated
@@ -67,7 +68,8 @@ Situation in_session(const FlowFacts& facts, DeviceCondition condition) {
     case session::Stage::paused:
       if (facts.pause_cause == session::PauseCause::occluded) return Situation::out_of_sight;
       if (facts.pause_cause == session::PauseCause::therapist)
-        return may_go_on(facts) ? Situation::paused : Situation::let_go;
+        return facts.start_posture || may_go_on(facts) ? Situation::paused : Situation::let_go;
+      if (facts.start_posture) return Situation::paused_by_fault;  // nobody holds a device
       return facts.health.fault == DeviceFault::none && !facts.at_rest ? Situation::let_go
                                                                        : Situation::paused_by_fault;
     case session::Stage::idle:

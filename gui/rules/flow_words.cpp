@@ -22,8 +22,29 @@ QString restart_words(const FlowFacts& facts) {
   return translated(words_of(DeviceFault::restarted, facts.restarted));
 }
 
+/// Of cameras that see an arm, where it differs from what is said of forces; empty: it does not.
+QString camera_words(const FlowFacts& facts, DeviceCondition condition) {
+  using Condition = DeviceCondition;
+  if (!facts.start_posture) return {};
+  switch (condition) {
+    case Condition::gone: return FlowTexts::tr("The cameras send no more pictures");
+    case Condition::frozen:
+      return FlowTexts::tr("No pictures arrive: check the computer of the cameras");
+    case Condition::waiting: return FlowTexts::tr("Waiting for the first picture …");
+    case Condition::faulted:
+    case Condition::degraded:
+      if (facts.camera_fault == MarkerFault::none) return {};
+      return translated(words_of(facts.camera_fault));
+    case Condition::gap: return FlowTexts::tr("Connected, but pictures were missing");
+    case Condition::zeroing: return FlowTexts::tr("Measuring the start posture …");
+    case Condition::no_zero: return FlowTexts::tr("Connected, needs the start posture");
+    default: return {};
+  }
+}
+
 QString device_words(const FlowFacts& facts, DeviceCondition condition) {
   using Condition = DeviceCondition;
+  if (const auto words = camera_words(facts, condition); !words.isEmpty()) return words;
   switch (condition) {
     case Condition::absent: return FlowTexts::tr("Not connected");
     case Condition::failed: return QString::fromStdString(facts.connection_error);
@@ -158,7 +179,28 @@ QString words_with_hand(Situation situation, const FlowFacts& facts) {
   }
 }
 
+/// Before cameras that see an arm, where it differs; empty: it does not.
+QString words_of_arm(Situation situation, const FlowFacts& facts) {
+  if (!facts.start_posture) return {};
+  switch (situation) {
+    case Situation::device_gone:
+      return FlowTexts::tr("The cameras send no more pictures. Disconnect to end the session.");
+    case Situation::wait_for_forces: return FlowTexts::tr("Waiting for the first picture …");
+    case Situation::zeroing: return FlowTexts::tr("The start posture: the arm is held still.");
+    case Situation::paused_by_fault:
+      return FlowTexts::tr("Paused: the cameras sent no pictures. Resume when they are back.");
+    case Situation::zero_refused:
+      return FlowTexts::tr("Start posture refused: %1").arg(translated(facts.zero_refusal));
+    case Situation::zero_missing:
+    case Situation::protocol_zero:
+      return FlowTexts::tr(
+          "The arm in the start posture, held still: measure it when the light says so.");
+    default: return {};
+  }
+}
+
 QString words_in_session(Situation situation, const FlowFacts& facts, const FlowView& view) {
+  if (const auto words = words_of_arm(situation, facts); !words.isEmpty()) return words;
   switch (situation) {
     case Situation::device_fault: return fault_words(facts, view);
     case Situation::device_gone:
@@ -190,7 +232,12 @@ QString words_for_situation(const FlowFacts& facts, const FlowView& view) {
 
 /// Why no trial can begin at this moment; empty: it can.
 QString hint_of(const FlowFacts& facts) {
-  switch (obstacle_of(facts)) {
+  const Obstacle obstacle = obstacle_of(facts);
+  if (facts.start_posture && obstacle == Obstacle::zeroing)
+    return FlowTexts::tr("Wait until the start posture is measured.");
+  if (facts.start_posture && (obstacle == Obstacle::no_zero || obstacle == Obstacle::zero_again))
+    return FlowTexts::tr("Measure the start posture first.");
+  switch (obstacle) {
     case Obstacle::none: break;
     case Obstacle::no_device: return FlowTexts::tr("Connect the device first.");
     case Obstacle::recording_over: return FlowTexts::tr("The recording is over.");

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/rules/arm_picture.hpp"
 #include "gui/words/cue_words.hpp"
 #include "gui/words/texts.hpp"
 
@@ -76,6 +77,7 @@ void add_object(const PatientFacts& facts, PatientPicture& picture) {
   const Stimulus& seen = facts.stimulus;
   picture.page = Page::object;
   picture.scene = facts.scene;
+  picture.object_shown = true;
   picture.X_WO = moved(seen, facts.ahead_s);
   picture.target_shown = seen.pose_target_shown;
   picture.X_WT = seen.X_WT;
@@ -227,7 +229,9 @@ void add_trial(const PatientFacts& facts, PatientPicture& picture) {
   picture.progress_shown = seen.progress.duration_s > 0.0;
   if (picture.progress_shown)
     picture.progress = std::clamp(seen.progress.task_time_s / seen.progress.duration_s, 0.0, 1.0);
-  if (facts.scene != nullptr && seen.object_shown) {
+  if (facts.arm != nullptr) {
+    add_arm(facts, picture);
+  } else if (facts.scene != nullptr && seen.object_shown) {
     add_object(facts, picture);
     add_object_words(facts, picture);
   } else {
@@ -244,6 +248,9 @@ void add_idle(const PatientFacts& facts, PatientPicture& picture) {
   if (!facts.session_open || !facts.arrived)
     return say(picture, Sign::wait, PictureTexts::tr("Welcome"),
                PictureTexts::tr("We will begin in a moment."));
+  if (facts.stage == session::Stage::zeroing && facts.arm != nullptr)
+    return say(picture, Sign::wait, PictureTexts::tr("Hold your arm still"),
+               PictureTexts::tr("For a moment, in the start posture"));
   if (facts.stage == session::Stage::zeroing)
     return say(picture, Sign::hand_out, PictureTexts::tr("Hands off, please"),
                PictureTexts::tr("The device measures itself."));
@@ -270,7 +277,8 @@ void add_notice(const PatientFacts& facts, PatientPicture& picture) {
     picture.notice_words =
         PictureTexts::tr("The device needs help. You did nothing wrong. Relax your hand.")
             .toStdString();
-  } else if (paused) {
+  } else if (paused &&
+             !(facts.arm != nullptr && facts.pause_cause == session::PauseCause::occluded)) {
     picture.notice = Notice::pause;
     picture.notice_words = PictureTexts::tr("Pause. Relax your hand.").toStdString();
   }

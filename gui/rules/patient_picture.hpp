@@ -10,6 +10,7 @@
 #include <string>
 
 #include "grasp_model/scene.hpp"
+#include "gui/rules/arm_space.hpp"
 #include "gui/rules/presentation.hpp"
 #include "gui/rules/target_preview.hpp"
 #include "hand/stimulus.hpp"
@@ -33,6 +34,9 @@ struct PatientFacts {
   std::shared_ptr<const tasks::TaskSpec> task;  ///< the running one
   std::shared_ptr<const Scene> scene;           ///< of that task, turned for the hand
   std::shared_ptr<const TargetPreview> preview;
+  /// Of an arm seen by cameras, whose real object is drawn; null: there is none.
+  std::shared_ptr<const ArmSpace> arm;
+  Vec3 centre_W = Vec3::Zero();  ///< of its picture [m]
   std::optional<double> maximum_force_N;
   bool just_completed = false;  ///< the last trial ended well and nothing began since
   bool just_missed = false;     ///< it ended before all its targets were reached
@@ -62,7 +66,7 @@ struct DigitPicture {
 };
 
 struct PatientPicture {
-  enum class Page : std::uint8_t { message, effort, tracking, directions, object };
+  enum class Page : std::uint8_t { message, effort, tracking, directions, object, range };
   /// `act`: what the channel asks for.
   enum class Sign : std::uint8_t { wait, hand_out, rest, act, let_go, memory, good };
   enum class Notice : std::uint8_t { none, pause, fault };
@@ -100,6 +104,10 @@ struct PatientPicture {
   double digits_N = 1.0;  ///< largest force asked of a digit in this trial
 
   std::shared_ptr<const Scene> scene;
+  bool in_space = false;      ///< a real object, moved in the room before the screen
+  bool object_shown = false;  ///< false: cameras have not seen it yet
+  bool unseen = false;        ///< it is out of sight: pale, where it was seen last
+  bool matched = false;       ///< it is on its target
   Pose X_WO;
   bool target_shown = false;
   Pose X_WT;
@@ -108,6 +116,7 @@ struct PatientPicture {
   int targets_reached = 0;
   int target_count = 0;
   std::array<FingerPicture, kFingerCount> fingers{};
+  ShownAngle angle;  ///< of a range that the own body turns
 };
 
 /// Half the band round a force target, of the height of the field.

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "gui/arm_pages/cameras_dialog.hpp"
 #include "gui/look/look.hpp"
 #include "gui/session_pages/device_list.hpp"
 
@@ -15,7 +16,7 @@ namespace isograsp::gui {
 namespace {
 
 constexpr int kDeviceFormRow_px = 26;
-constexpr int kMostDeviceRows = 5;
+constexpr int kMostDeviceRows = 7;
 
 QProgressBar* make_progress(const QString& name, const QString& what) {
   auto* progress = new QProgressBar;
@@ -77,10 +78,25 @@ void ConnectForm::fill(const std::string& preset) {
 void ConnectForm::choose(int row) {
   if (row < 0) return;
   const auto uri = devices_->item(row)->data(Qt::UserRole).toString().toStdString();
-  if (uri.empty())
+  if (uri == kAskRecording)
     choose_recording();
+  else if (uri == kAskCameras)
+    choose_cameras();
   else
     presenter_.choices().choose_device(uri);
+}
+
+void ConnectForm::choose_cameras() {
+  auto* dialog = new CamerasDialog(presenter_.state().config.library, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog] {
+    const auto uri = dialog->uri();
+    presenter_.choices().choose_device(uri);
+    fill(uri);
+  });
+  connect(dialog, &QDialog::rejected, this,
+          [this] { fill(presenter_.state().choices.device_uri); });
+  dialog->open();
 }
 
 void ConnectForm::choose_recording() {
@@ -179,6 +195,7 @@ ZeroForm::ZeroForm(SessionPresenter& presenter, QWidget* parent)
 
 void ZeroForm::refresh() {
   const auto& view = presenter_.flow().view();
+  show_part(*this, !view.start_posture);
   zero_->setEnabled(view.may_zero);
   mark_next(*zero_, view.press == NextPress::zero);
   mark_next(*confirmed_, view.press == NextPress::zero);

@@ -24,6 +24,7 @@ class ConnectForm final : public QWidget {
   void fill(const std::string& preset);
   void choose(int row);
   void choose_recording();
+  void choose_cameras();
   void refresh();
 
   SessionPresenter& presenter_;

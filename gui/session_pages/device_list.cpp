@@ -48,7 +48,12 @@ std::vector<DeviceChoice> list_devices(const std::string& preset,
       {text(DeviceListTexts::tr("Simulated patient, healthy")), "sim://healthy?seed=7"});
   choices.push_back(
       {text(DeviceListTexts::tr("Simulated patient, paretic")), "sim://paretic?seed=7"});
-  choices.push_back({text(DeviceListTexts::tr("A recording …")), ""});
+  choices.push_back({text(DeviceListTexts::tr("A recording …")), kAskRecording});
+  choices.push_back({text(DeviceListTexts::tr("Arm, seen by cameras …")), kAskCameras});
+  choices.push_back(
+      {text(DeviceListTexts::tr("Simulated arm, healthy")), "sim://arm?patient=healthy&seed=7"});
+  choices.push_back(
+      {text(DeviceListTexts::tr("Simulated arm, paretic")), "sim://arm?patient=paretic&seed=7"});
   if (preset.empty()) return choices;
   const auto known = std::find_if(choices.begin(), choices.end(),
                                   [&](const DeviceChoice& c) { return c.uri == preset; });

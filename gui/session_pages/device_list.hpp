@@ -7,9 +7,13 @@
 
 namespace isograsp::gui {
 
+/// Instead of a URI: it is to be asked for.
+inline constexpr const char* kAskRecording = "";
+inline constexpr const char* kAskCameras = "cameras";
+
 struct DeviceChoice {
   std::string words;  ///< "Simulated patient, healthy"
-  std::string uri;    ///< empty: a recording is to be chosen in a file dialog
+  std::string uri;    ///< or one of those above
 };
 
 /// CAN interfaces of this computer, the simulated patients and "a recording". `preset` (may be

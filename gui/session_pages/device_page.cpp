@@ -38,11 +38,12 @@ QString words_of(const Counter& counter) {
   return DevicePage::tr(counter.title);
 }
 
-QString details_of(const DeviceInfo& info) {
+QString details_of(const DeviceInfo& info, bool is_arm) {
   QStringList lines{translated(info.description)};
   lines += DevicePage::tr("%1 samples per second, delay %L2 ms")
                .arg(1.0 / info.sample_period_s, 0, 'f', 0)
                .arg(info.delay_s * 1e3, 0, 'f', 1);
+  if (is_arm) return lines.join(QLatin1Char('\n'));
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     const auto& serial = info.serial_numbers[f];
     lines += DevicePage::tr("%1: serial number %2, up to %3 N, one count is %L4 N")
@@ -97,6 +98,7 @@ QWidget* DevicePage::make_state() {
 
 QWidget* DevicePage::make_check() {
   auto* card = new Card(tr("Guided check"));
+  check_card_ = card;
   instruction_ = new QLabel;
   instruction_->setObjectName("check_instruction");
   instruction_->setProperty("role", "large");
@@ -143,7 +145,13 @@ QWidget* DevicePage::make_sensors() {
       item->setTextAlignment((column == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
       sensors_->setItem(static_cast<int>(row), column, item);
     }
+  cameras_ = new QLabel;
+  cameras_->setObjectName("camera_counters");
+  cameras_->setWordWrap(true);
+  cameras_->hide();
   card->column().addWidget(sensors_, 1);
+  card->column().addWidget(cameras_);
+  card->column().addStretch(0);
   return card;
 }
 
@@ -192,7 +200,11 @@ void DevicePage::refresh() {
   const auto* info = presenter_.state().device();
   details_->setText(info == nullptr ? tr("A device is chosen and connected on the page of the "
                                          "session, once patient and hand are known.")
-                                    : details_of(*info));
+                                    : details_of(*info, presenter_.state().measures_arm()));
+  const bool is_arm = info != nullptr && presenter_.state().measures_arm();
+  check_card_->setVisible(!is_arm);
+  sensors_->setVisible(!is_arm);
+  cameras_->setVisible(is_arm);
   const auto& faults = presenter_.state().traces().faults;
   if (faults_->count() != static_cast<int>(faults.size())) {
     faults_->clear();
@@ -242,6 +254,18 @@ void DevicePage::refresh_check() {
 }
 
 void DevicePage::refresh_sensors() {
+  if (const auto& open = presenter_.state().open; open && open->arm) {
+    const MarkerCounters& count = open->arm->health.counters;
+    return cameras_->setText(
+        tr("Pictures of the cameras: %1\nLost: %2\nTwice: %3\nWith other markers: %4\n"
+           "Damaged: %5\nConnected again: %6")
+            .arg(count.good)
+            .arg(count.lost)
+            .arg(count.duplicate)
+            .arg(count.unlabelled)
+            .arg(count.damaged)
+            .arg(count.restarts));
+  }
   const auto& health = presenter_.state().snapshot().health;
   for (std::size_t row = 0; row < kCounters.size(); ++row)
     for (std::size_t f = 0; f < kFingerCount; ++f) {

@@ -46,6 +46,8 @@ class DevicePage final : public QWidget {
   QTableWidget* sensors_;
   QListWidget* faults_;
   QLabel* no_faults_;
+  QWidget* check_card_;
+  QLabel* cameras_;  ///< in place of the sensors
 };
 
 }  // namespace isograsp::gui

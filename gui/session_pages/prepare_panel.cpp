@@ -7,6 +7,7 @@
 #include "gui/look/look.hpp"
 #include "gui/session_pages/device_forms.hpp"
 #include "gui/session_pages/patient_form.hpp"
+#include "gui/session_pages/posture_form.hpp"
 #include "gui/session_pages/protocol_form.hpp"
 #include "gui/session_pages/screening_form.hpp"
 #include "gui/session_pages/strap_form.hpp"
@@ -39,7 +40,7 @@ PreparePanel::PreparePanel(SessionPresenter& presenter, QWidget* parent)
                                                 make_hand(),
                                                 new ScreeningForm(presenter_),
                                                 new ConnectForm(presenter_),
-                                                new ZeroForm(presenter_),
+                                                make_zero(),
                                                 new StrapForm(presenter_),
                                                 new ProtocolForm(presenter_)};
   auto* column = new QVBoxLayout(this);
@@ -60,6 +61,15 @@ PreparePanel::PreparePanel(SessionPresenter& presenter, QWidget* parent)
   connect(sections_[static_cast<std::size_t>(Step::work)], &StepSection::opened, this, share);
   connect(&presenter_.flow(), &SessionFlow::changed, this, &PreparePanel::refresh);
   refresh();
+}
+
+/// The empty device, or the start posture of an arm: one of the two is shown.
+QWidget* PreparePanel::make_zero() {
+  auto* body = new QWidget;
+  auto* column = new QVBoxLayout(body);
+  column->addWidget(new ZeroForm(presenter_));
+  column->addWidget(new PostureForm(presenter_));
+  return body;
 }
 
 QWidget* PreparePanel::make_hand() {
@@ -108,6 +118,7 @@ QString PreparePanel::summary_of(Step step) const {
     case Step::screening: return summary(presenter_.state().choices.today.screening);
     case Step::device: return QString::fromStdString(view.device_words);
     case Step::zero:
+      if (view.start_posture) return done ? tr("measured") : QString();
       return done ? tr("set") : presenter_.state().snapshot().zeroed ? tr("once more") : QString();
     case Step::rest: return done ? tr("measured") : QString();
     case Step::work: {
@@ -123,6 +134,8 @@ QString PreparePanel::summary_of(Step step) const {
 
 void PreparePanel::refresh() {
   const auto& view = presenter_.flow().view();
+  sections_[static_cast<std::size_t>(Step::zero)]->set_title(
+      view.start_posture ? tr("Start posture") : words_of(Step::zero));
   for (std::size_t i = 0; i < kStepCount; ++i)
     sections_[i]->show_state(view.steps[i], summary_of(static_cast<Step>(i)));
   const auto hand = presenter_.state().choices.today.hand;

@@ -65,6 +65,13 @@ StepSection::StepSection(int number, const QString& title, QWidget* body, QWidge
   show_state(StepState::open, {});
 }
 
+void StepSection::set_title(const QString& title) {
+  if (title == title_) return;
+  title_ = title;
+  name_->setText(title);
+  name_->setMinimumWidth(name_->sizeHint().width());
+}
+
 void StepSection::show_state(StepState state, const QString& summary) {
   // A step that becomes the next one is opened; one that is done is closed.
   if (state != state_) open(state == StepState::next);

@@ -20,6 +20,7 @@ class StepSection final : public QFrame {
   /// `body` becomes its own. `number` opens it as Alt+number.
   StepSection(int number, const QString& title, QWidget* body, QWidget* parent = nullptr);
 
+  void set_title(const QString& title);
   /// `summary`: what came of it, e.g. "Right hand".
   void show_state(StepState state, const QString& summary);
   void open(bool open);

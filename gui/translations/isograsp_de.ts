@@ -2,6 +2,70 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>Arm</name>
+    <message>
+        <source>Brace</source>
+        <translation>Schiene</translation>
+    </message>
+    <message>
+        <source>Trunk</source>
+        <translation>Rumpf</translation>
+    </message>
+    <message>
+        <source>Elbow</source>
+        <translation>Ellbogen</translation>
+    </message>
+    <message>
+        <source>Forearm</source>
+        <translation>Unterarm</translation>
+    </message>
+    <message>
+        <source>Back of the hand</source>
+        <translation>Handrücken</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Gegenstand</translation>
+    </message>
+    <message>
+        <source>Forearm</source>
+        <comment>a link that turns</comment>
+        <translation>Unterarm</translation>
+    </message>
+    <message>
+        <source>Wrist</source>
+        <translation>Handgelenk</translation>
+    </message>
+    <message>
+        <source>Fingers</source>
+        <translation>Finger</translation>
+    </message>
+    <message>
+        <source>seen</source>
+        <translation>gesehen</translation>
+    </message>
+    <message>
+        <source>seen, one marker astray</source>
+        <translation>gesehen, ein Marker daneben</translation>
+    </message>
+    <message>
+        <source>too few markers</source>
+        <translation>zu wenige Marker</translation>
+    </message>
+    <message>
+        <source>markers on a line</source>
+        <translation>Marker auf einer Geraden</translation>
+    </message>
+    <message>
+        <source>markers do not fit</source>
+        <translation>Marker passen nicht</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>nicht gesehen</translation>
+    </message>
+</context>
+<context>
     <name>Compensation</name>
     <message>
         <source>This measures the shoulder, too: the arm pushes the platform with %1 % of the grip. Let it rest on the support.</source>
@@ -33,6 +97,18 @@
     <message>
         <source>A recording …</source>
         <translation>Eine Aufzeichnung …</translation>
+    </message>
+    <message>
+        <source>Arm, seen by cameras …</source>
+        <translation>Arm, von Kameras gesehen …</translation>
+    </message>
+    <message>
+        <source>Simulated arm, healthy</source>
+        <translation>Simulierter Arm, gesund</translation>
+    </message>
+    <message>
+        <source>Simulated arm, paretic</source>
+        <translation>Simulierter Arm, paretisch</translation>
     </message>
 </context>
 <context>
@@ -325,6 +401,58 @@
         <source>Say first that the hand is in and strapped.</source>
         <translation>Bestätigen Sie zuerst, dass die Hand angegurtet ist.</translation>
     </message>
+    <message>
+        <source>The cameras send no more pictures</source>
+        <translation>Die Kameras senden keine Bilder mehr</translation>
+    </message>
+    <message>
+        <source>No pictures arrive: check the computer of the cameras</source>
+        <translation>Es kommen keine Bilder an: den Rechner der Kameras prüfen</translation>
+    </message>
+    <message>
+        <source>Waiting for the first picture …</source>
+        <translation>Warten auf das erste Bild …</translation>
+    </message>
+    <message>
+        <source>Connected, but pictures were missing</source>
+        <translation>Verbunden, aber Bilder fehlten</translation>
+    </message>
+    <message>
+        <source>Measuring the start posture …</source>
+        <translation>Die Ausgangshaltung wird gemessen …</translation>
+    </message>
+    <message>
+        <source>Connected, needs the start posture</source>
+        <translation>Verbunden, braucht die Ausgangshaltung</translation>
+    </message>
+    <message>
+        <source>The cameras send no more pictures. Disconnect to end the session.</source>
+        <translation>Die Kameras senden keine Bilder mehr. Trennen Sie sie, um die Sitzung zu beenden.</translation>
+    </message>
+    <message>
+        <source>The start posture: the arm is held still.</source>
+        <translation>Die Ausgangshaltung: Der Arm wird stillgehalten.</translation>
+    </message>
+    <message>
+        <source>Paused: the cameras sent no pictures. Resume when they are back.</source>
+        <translation>Pause: Die Kameras haben keine Bilder gesendet. Weiter, wenn sie wieder da sind.</translation>
+    </message>
+    <message>
+        <source>Start posture refused: %1</source>
+        <translation>Ausgangshaltung abgelehnt: %1</translation>
+    </message>
+    <message>
+        <source>The arm in the start posture, held still: measure it when the light says so.</source>
+        <translation>Den Arm in der Ausgangshaltung stillhalten: messen, wenn das Licht es sagt.</translation>
+    </message>
+    <message>
+        <source>Wait until the start posture is measured.</source>
+        <translation>Warten, bis die Ausgangshaltung gemessen ist.</translation>
+    </message>
+    <message>
+        <source>Measure the start posture first.</source>
+        <translation>Zuerst die Ausgangshaltung messen.</translation>
+    </message>
 </context>
 <context>
     <name>LibraryPreview</name>
@@ -478,6 +606,10 @@
     <message>
         <source>%1 min %2 s</source>
         <translation>%1 min %2 s</translation>
+    </message>
+    <message>
+        <source>Start posture</source>
+        <translation>Ausgangshaltung</translation>
     </message>
 </context>
 <context>
@@ -766,6 +898,26 @@
         <source>Good try</source>
         <translation>Gut versucht</translation>
     </message>
+    <message>
+        <source>Turn the hand towards the cameras</source>
+        <translation>Wenden Sie die Hand den Kameras zu</translation>
+    </message>
+    <message>
+        <source>It goes on by itself</source>
+        <translation>Es geht von selbst weiter</translation>
+    </message>
+    <message>
+        <source>Stay there until the next picture</source>
+        <translation>Bleiben Sie dort bis zum nächsten Bild</translation>
+    </message>
+    <message>
+        <source>Hold your arm still</source>
+        <translation>Halten Sie den Arm still</translation>
+    </message>
+    <message>
+        <source>For a moment, in the start posture</source>
+        <translation>Einen Moment, in der Ausgangshaltung</translation>
+    </message>
 </context>
 <context>
     <name>Posture</name>
@@ -1024,6 +1176,10 @@
     <message>
         <source>Pause, %1 s</source>
         <translation>Pause, %1 s</translation>
+    </message>
+    <message>
+        <source>Start posture, arm held still</source>
+        <translation>Ausgangshaltung, Arm stillgehalten</translation>
     </message>
 </context>
 <context>
@@ -1781,10 +1937,243 @@
     </message>
 </context>
 <context>
+    <name>isograsp::gui::ArmPanel</name>
+    <message>
+        <source>Off by &lt;b&gt;%1&lt;/b&gt;, &lt;b&gt;%2&lt;/b&gt;; %3 mm of it in depth</source>
+        <translation>Abstand &lt;b&gt;%1&lt;/b&gt;, &lt;b&gt;%2&lt;/b&gt;; davon %3 mm in der Tiefe</translation>
+    </message>
+    <message>
+        <source>%1 of %2 mm</source>
+        <translation>%1 von %2 mm</translation>
+    </message>
+    <message>
+        <source>%1° of %2°</source>
+        <translation>%1° von %2°</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1, %2 %</source>
+        <translation>%1, %2 %</translation>
+    </message>
+    <message>
+        <source>Move the object 10 cm to the right, seen by the patient, and rest.</source>
+        <translation>Den Gegenstand 10 cm nach rechts, vom Patienten aus, dann ruhen.</translation>
+    </message>
+    <message>
+        <source>Move it 10 cm up, and rest.</source>
+        <translation>10 cm nach oben, dann ruhen.</translation>
+    </message>
+    <message>
+        <source>Move it 10 cm away, towards the screen, and rest.</source>
+        <translation>10 cm weg, zum Bildschirm hin, dann ruhen.</translation>
+    </message>
+    <message>
+        <source>Hold the object still where the cameras see it.</source>
+        <translation>Den Gegenstand stillhalten, wo die Kameras ihn sehen.</translation>
+    </message>
+    <message>
+        <source>✓ The picture moves as the object does.</source>
+        <translation>✓ Das Bild bewegt sich wie der Gegenstand.</translation>
+    </message>
+    <message>
+        <source>✗ In the picture it went %1° off. Once more; if it stays so, [view] of the rig names other axes: begin no trial.</source>
+        <translation>✗ Im Bild ging er %1° daneben. Noch einmal; bleibt es so, nennt [view] des Markersatzes andere Achsen: keinen Versuch beginnen.</translation>
+    </message>
+    <message>
+        <source>Live arm</source>
+        <translation>Arm jetzt</translation>
+    </message>
+    <message>
+        <source>Left arm: targets are those of a right one in the mirror; a screw turns the other way.</source>
+        <translation>Linker Arm: Die Ziele sind die eines rechten im Spiegel; eine Schraube dreht anders herum.</translation>
+    </message>
+    <message>
+        <source>Stop the check</source>
+        <translation>Prüfung beenden</translation>
+    </message>
+    <message>
+        <source>Check the picture</source>
+        <translation>Bild prüfen</translation>
+    </message>
+    <message>
+        <source>You move the object to the right, up and away, towards the screen; the picture must do the same. Before the first trial (Tab, then space)</source>
+        <translation>Sie bewegen den Gegenstand nach rechts, nach oben und von sich weg zum Bildschirm; das Bild muss dasselbe tun. Vor dem ersten Versuch (Tab, dann Leertaste)</translation>
+    </message>
+    <message>
+        <source>From the object to its target, beside what counts as there. Depth is along the line of sight: without a second picture for the other eye it is harder to see</source>
+        <translation>Vom Gegenstand zum Ziel, daneben was als erreicht gilt. Tiefe liegt in Blickrichtung: Ohne ein zweites Bild für das andere Auge ist sie schwerer zu sehen</translation>
+    </message>
+    <message>
+        <source>%1: share of the turn</source>
+        <translation>%1: Anteil an der Drehung</translation>
+    </message>
+    <message>
+        <source>%1: how far it has turned since the target appeared, as a share of all three</source>
+        <translation>%1: wie weit es sich gedreht hat, seit das Ziel erschien, als Anteil aller drei</translation>
+    </message>
+    <message>
+        <source>The arm is shown once the cameras are connected.</source>
+        <translation>Der Arm erscheint, sobald die Kameras verbunden sind.</translation>
+    </message>
+    <message>
+        <source>No trial is running.</source>
+        <translation>Es läuft kein Versuch.</translation>
+    </message>
+    <message>
+        <source>The start posture has not been measured yet.</source>
+        <translation>Die Ausgangshaltung ist noch nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>Turned from %1° to %2°, now %3</source>
+        <translation>Gedreht von %1° bis %2°, jetzt %3</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>nicht gesehen</translation>
+    </message>
+    <message>
+        <source>The range begins in a moment.</source>
+        <translation>Der Bewegungsumfang beginnt gleich.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 of %2&lt;/b&gt; reached</source>
+        <translation>&lt;b&gt;%1 von %2&lt;/b&gt; erreicht</translation>
+    </message>
+    <message>
+        <source>The object is not seen, or no target is shown.</source>
+        <translation>Der Gegenstand ist nicht zu sehen, oder es gibt kein Ziel.</translation>
+    </message>
+    <message>
+        <source>Pictures %1   ·   lost %2   ·   damaged %3   ·   late %L4 ms</source>
+        <translation>Bilder %1   ·   verloren %2   ·   beschädigt %3   ·   verspätet %L4 ms</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::ArmViews</name>
+    <message>
+        <source>The arm from the front, from the side and from above</source>
+        <translation>Der Arm von vorn, von der Seite und von oben</translation>
+    </message>
+    <message>
+        <source>Markers, the chain from elbow to object, the object (full line) and its target (dashed); one square of the grid is 10 cm</source>
+        <translation>Marker, die Kette vom Ellbogen zum Gegenstand, der Gegenstand (durchgezogen) und sein Ziel (gestrichelt); ein Kästchen des Gitters ist 10 cm</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Above</source>
+        <translation>Oben</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::BackupWork</name>
     <message>
         <source>No backup could be made: %1</source>
         <translation>Es konnte keine Sicherung gemacht werden: %1</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::CamerasDialog</name>
+    <message>
+        <source>Cameras</source>
+        <translation>Kameras</translation>
+    </message>
+    <message>
+        <source>Qualisys Track Manager</source>
+        <translation>Qualisys Track Manager</translation>
+    </message>
+    <message>
+        <source>OptiTrack Motive</source>
+        <translation>OptiTrack Motive</translation>
+    </message>
+    <message>
+        <source>A recording of markers</source>
+        <translation>Eine Aufzeichnung von Markern</translation>
+    </message>
+    <message>
+        <source>System of the cameras</source>
+        <translation>System der Kameras</translation>
+    </message>
+    <message>
+        <source>Whose pictures are read (arrow keys)</source>
+        <translation>Wessen Bilder gelesen werden (Pfeiltasten)</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
+        <source>Choose the recording</source>
+        <translation>Die Aufzeichnung wählen</translation>
+    </message>
+    <message>
+        <source>C3D, TRC, Qualisys table or CSV (Tab)</source>
+        <translation>C3D, TRC, Qualisys-Tabelle oder CSV (Tab)</translation>
+    </message>
+    <message>
+        <source>Rig</source>
+        <translation>Markersatz</translation>
+    </message>
+    <message>
+        <source>What the markers are stuck to; docs/markers.md (arrow keys)</source>
+        <translation>Woran die Marker kleben; docs/markers.md (Pfeiltasten)</translation>
+    </message>
+    <message>
+        <source>System</source>
+        <translation>System</translation>
+    </message>
+    <message>
+        <source>Use these cameras</source>
+        <translation>Diese Kameras nehmen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Open a recording of markers</source>
+        <translation>Eine Aufzeichnung von Markern öffnen</translation>
+    </message>
+    <message>
+        <source>Markers (*.c3d *.trc *.tsv *.csv);;All files (*)</source>
+        <translation>Marker (*.c3d *.trc *.tsv *.csv);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>File of the recording</source>
+        <translation>Datei der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Address of their computer</source>
+        <translation>Adresse ihres Rechners</translation>
+    </message>
+    <message>
+        <source>Where the recording is (Tab)</source>
+        <translation>Wo die Aufzeichnung liegt (Tab)</translation>
+    </message>
+    <message>
+        <source>Name or number in the network; with :PORT if it is another one (Tab)</source>
+        <translation>Name oder Nummer im Netz; mit :PORT, wenn es ein anderer ist (Tab)</translation>
     </message>
 </context>
 <context>
@@ -2159,6 +2548,20 @@
     <message>
         <source>%L1 min: %2</source>
         <translation>%L1 min: %2</translation>
+    </message>
+    <message>
+        <source>Pictures of the cameras: %1
+Lost: %2
+Twice: %3
+With other markers: %4
+Damaged: %5
+Connected again: %6</source>
+        <translation>Bilder der Kameras: %1
+Verloren: %2
+Doppelt: %3
+Mit anderen Markern: %4
+Beschädigt: %5
+Neu verbunden: %6</translation>
     </message>
 </context>
 <context>
@@ -2931,6 +3334,45 @@
     </message>
 </context>
 <context>
+    <name>isograsp::gui::MarkerTable</name>
+    <message>
+        <source>Marker</source>
+        <translation>Marker</translation>
+    </message>
+    <message>
+        <source>Seen</source>
+        <translation>Gesehen</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Restfehler</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Segments and markers</source>
+        <translation>Segmente und Marker</translation>
+    </message>
+    <message>
+        <source>How much of the last 10 seconds each was seen, by how much its markers miss it, and what the newest picture shows (Tab, then arrow keys)</source>
+        <translation>Wie viel der letzten 10 Sekunden jedes gesehen wurde, um wie viel seine Marker es verfehlen und was das neueste Bild zeigt (Tab, dann Pfeiltasten)</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::ObjectPathView</name>
     <message>
         <source>From the front</source>
@@ -3248,6 +3690,37 @@
     </message>
 </context>
 <context>
+    <name>isograsp::gui::PostureForm</name>
+    <message>
+        <source>Not in sight: %1</source>
+        <translation>Nicht zu sehen: %1</translation>
+    </message>
+    <message>
+        <source>In sight. Hold the arm still.</source>
+        <translation>Zu sehen. Den Arm stillhalten.</translation>
+    </message>
+    <message>
+        <source>In sight and still: measure it now.</source>
+        <translation>Zu sehen und still: jetzt messen.</translation>
+    </message>
+    <message>
+        <source>Measure the start posture</source>
+        <translation>Ausgangshaltung messen</translation>
+    </message>
+    <message>
+        <source>Measuring the start posture</source>
+        <translation>Die Ausgangshaltung wird gemessen</translation>
+    </message>
+    <message>
+        <source>The arm is looked for once the cameras are connected.</source>
+        <translation>Der Arm wird gesucht, sobald die Kameras verbunden sind.</translation>
+    </message>
+    <message>
+        <source>The arm is held still for a second; targets are made for its size (Tab, then space)</source>
+        <translation>Der Arm wird eine Sekunde stillgehalten; Ziele werden für seine Größe gemacht (Tab, dann Leertaste)</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::PreparePanel</name>
     <message>
         <source>Patient</source>
@@ -3352,6 +3825,10 @@
     <message>
         <source>once more</source>
         <translation>noch einmal</translation>
+    </message>
+    <message>
+        <source>Start posture</source>
+        <translation>Ausgangshaltung</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,70 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr" sourcelanguage="en">
 <context>
+    <name>Arm</name>
+    <message>
+        <source>Brace</source>
+        <translation>Attelle</translation>
+    </message>
+    <message>
+        <source>Trunk</source>
+        <translation>Tronc</translation>
+    </message>
+    <message>
+        <source>Elbow</source>
+        <translation>Coude</translation>
+    </message>
+    <message>
+        <source>Forearm</source>
+        <translation>Avant-bras</translation>
+    </message>
+    <message>
+        <source>Back of the hand</source>
+        <translation>Dos de la main</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objet</translation>
+    </message>
+    <message>
+        <source>Forearm</source>
+        <comment>a link that turns</comment>
+        <translation>Avant-bras</translation>
+    </message>
+    <message>
+        <source>Wrist</source>
+        <translation>Poignet</translation>
+    </message>
+    <message>
+        <source>Fingers</source>
+        <translation>Doigts</translation>
+    </message>
+    <message>
+        <source>seen</source>
+        <translation>vu</translation>
+    </message>
+    <message>
+        <source>seen, one marker astray</source>
+        <translation>vu, un marqueur écarté</translation>
+    </message>
+    <message>
+        <source>too few markers</source>
+        <translation>trop peu de marqueurs</translation>
+    </message>
+    <message>
+        <source>markers on a line</source>
+        <translation>marqueurs alignés</translation>
+    </message>
+    <message>
+        <source>markers do not fit</source>
+        <translation>marqueurs incohérents</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>non vu</translation>
+    </message>
+</context>
+<context>
     <name>Compensation</name>
     <message>
         <source>This measures the shoulder, too: the arm pushes the platform with %1 % of the grip. Let it rest on the support.</source>
@@ -33,6 +97,18 @@
     <message>
         <source>A recording …</source>
         <translation>Un enregistrement …</translation>
+    </message>
+    <message>
+        <source>Arm, seen by cameras …</source>
+        <translation>Bras, vu par des caméras …</translation>
+    </message>
+    <message>
+        <source>Simulated arm, healthy</source>
+        <translation>Bras simulé, sain</translation>
+    </message>
+    <message>
+        <source>Simulated arm, paretic</source>
+        <translation>Bras simulé, parétique</translation>
     </message>
 </context>
 <context>
@@ -325,6 +401,58 @@
         <source>Say first that the hand is in and strapped.</source>
         <translation>Confirmez d’abord que la main est en place et sanglée.</translation>
     </message>
+    <message>
+        <source>The cameras send no more pictures</source>
+        <translation>Les caméras n’envoient plus d’images</translation>
+    </message>
+    <message>
+        <source>No pictures arrive: check the computer of the cameras</source>
+        <translation>Aucune image n’arrive&#xa0;: vérifiez l’ordinateur des caméras</translation>
+    </message>
+    <message>
+        <source>Waiting for the first picture …</source>
+        <translation>Attente de la première image …</translation>
+    </message>
+    <message>
+        <source>Connected, but pictures were missing</source>
+        <translation>Connecté, mais des images manquaient</translation>
+    </message>
+    <message>
+        <source>Measuring the start posture …</source>
+        <translation>Mesure de la posture de départ …</translation>
+    </message>
+    <message>
+        <source>Connected, needs the start posture</source>
+        <translation>Connecté, attend la posture de départ</translation>
+    </message>
+    <message>
+        <source>The cameras send no more pictures. Disconnect to end the session.</source>
+        <translation>Les caméras n’envoient plus d’images. Déconnectez-les pour finir la séance.</translation>
+    </message>
+    <message>
+        <source>The start posture: the arm is held still.</source>
+        <translation>La posture de départ&#xa0;: le bras reste immobile.</translation>
+    </message>
+    <message>
+        <source>Paused: the cameras sent no pictures. Resume when they are back.</source>
+        <translation>Pause&#xa0;: les caméras n’ont pas envoyé d’images. Reprenez quand elles sont revenues.</translation>
+    </message>
+    <message>
+        <source>Start posture refused: %1</source>
+        <translation>Posture de départ refusée&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>The arm in the start posture, held still: measure it when the light says so.</source>
+        <translation>Le bras immobile dans la posture de départ&#xa0;: mesurez quand le voyant le dit.</translation>
+    </message>
+    <message>
+        <source>Wait until the start posture is measured.</source>
+        <translation>Attendez que la posture de départ soit mesurée.</translation>
+    </message>
+    <message>
+        <source>Measure the start posture first.</source>
+        <translation>Mesurez d’abord la posture de départ.</translation>
+    </message>
 </context>
 <context>
     <name>LibraryPreview</name>
@@ -478,6 +606,10 @@
     <message>
         <source>%1 min %2 s</source>
         <translation>%1 min %2 s</translation>
+    </message>
+    <message>
+        <source>Start posture</source>
+        <translation>Posture de départ</translation>
     </message>
 </context>
 <context>
@@ -766,6 +898,26 @@
         <source>Good try</source>
         <translation>Bel essai</translation>
     </message>
+    <message>
+        <source>Turn the hand towards the cameras</source>
+        <translation>Tournez la main vers les caméras</translation>
+    </message>
+    <message>
+        <source>It goes on by itself</source>
+        <translation>Cela reprend tout seul</translation>
+    </message>
+    <message>
+        <source>Stay there until the next picture</source>
+        <translation>Restez là jusqu’à la prochaine image</translation>
+    </message>
+    <message>
+        <source>Hold your arm still</source>
+        <translation>Gardez le bras immobile</translation>
+    </message>
+    <message>
+        <source>For a moment, in the start posture</source>
+        <translation>Un instant, dans la posture de départ</translation>
+    </message>
 </context>
 <context>
     <name>Posture</name>
@@ -1024,6 +1176,10 @@
     <message>
         <source>Pause, %1 s</source>
         <translation>Pause, %1 s</translation>
+    </message>
+    <message>
+        <source>Start posture, arm held still</source>
+        <translation>Posture de départ, bras immobile</translation>
     </message>
 </context>
 <context>
@@ -1781,10 +1937,243 @@
     </message>
 </context>
 <context>
+    <name>isograsp::gui::ArmPanel</name>
+    <message>
+        <source>Off by &lt;b&gt;%1&lt;/b&gt;, &lt;b&gt;%2&lt;/b&gt;; %3 mm of it in depth</source>
+        <translation>Écart &lt;b&gt;%1&lt;/b&gt;, &lt;b&gt;%2&lt;/b&gt;&#xa0;; dont %3 mm en profondeur</translation>
+    </message>
+    <message>
+        <source>%1 of %2 mm</source>
+        <translation>%1 sur %2 mm</translation>
+    </message>
+    <message>
+        <source>%1° of %2°</source>
+        <translation>%1° sur %2°</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1, %2 %</source>
+        <translation>%1, %2 %</translation>
+    </message>
+    <message>
+        <source>Move the object 10 cm to the right, seen by the patient, and rest.</source>
+        <translation>Déplacez l’objet de 10 cm à droite, vu du patient, puis repos.</translation>
+    </message>
+    <message>
+        <source>Move it 10 cm up, and rest.</source>
+        <translation>De 10 cm vers le haut, puis repos.</translation>
+    </message>
+    <message>
+        <source>Move it 10 cm away, towards the screen, and rest.</source>
+        <translation>De 10 cm au loin, vers l’écran, puis repos.</translation>
+    </message>
+    <message>
+        <source>Hold the object still where the cameras see it.</source>
+        <translation>Gardez l’objet immobile, en vue des caméras.</translation>
+    </message>
+    <message>
+        <source>✓ The picture moves as the object does.</source>
+        <translation>✓ L’image bouge comme l’objet.</translation>
+    </message>
+    <message>
+        <source>✗ In the picture it went %1° off. Once more; if it stays so, [view] of the rig names other axes: begin no trial.</source>
+        <translation>✗ Dans l’image, il a dévié de %1°. Recommencez&#xa0;; si cela persiste, [view] du jeu de marqueurs nomme d’autres axes&#xa0;: ne commencez aucun essai.</translation>
+    </message>
+    <message>
+        <source>Live arm</source>
+        <translation>Bras en direct</translation>
+    </message>
+    <message>
+        <source>Left arm: targets are those of a right one in the mirror; a screw turns the other way.</source>
+        <translation>Bras gauche&#xa0;: les cibles sont celles d’un bras droit dans un miroir&#xa0;; une vis tourne dans l’autre sens.</translation>
+    </message>
+    <message>
+        <source>Stop the check</source>
+        <translation>Arrêter le contrôle</translation>
+    </message>
+    <message>
+        <source>Check the picture</source>
+        <translation>Contrôler l’image</translation>
+    </message>
+    <message>
+        <source>You move the object to the right, up and away, towards the screen; the picture must do the same. Before the first trial (Tab, then space)</source>
+        <translation>Vous déplacez l’objet à droite, en haut et au loin vers l’écran&#xa0;; l’image doit faire de même. Avant le premier essai (Tab, puis espace)</translation>
+    </message>
+    <message>
+        <source>From the object to its target, beside what counts as there. Depth is along the line of sight: without a second picture for the other eye it is harder to see</source>
+        <translation>De l’objet à sa cible, à côté de ce qui compte comme atteint. La profondeur est dans l’axe du regard&#xa0;: sans seconde image pour l’autre œil, elle se voit moins bien</translation>
+    </message>
+    <message>
+        <source>%1: share of the turn</source>
+        <translation>%1&#xa0;: part de la rotation</translation>
+    </message>
+    <message>
+        <source>%1: how far it has turned since the target appeared, as a share of all three</source>
+        <translation>%1&#xa0;: rotation depuis l’apparition de la cible, en part des trois</translation>
+    </message>
+    <message>
+        <source>The arm is shown once the cameras are connected.</source>
+        <translation>Le bras apparaît dès que les caméras sont connectées.</translation>
+    </message>
+    <message>
+        <source>No trial is running.</source>
+        <translation>Aucun essai en cours.</translation>
+    </message>
+    <message>
+        <source>The start posture has not been measured yet.</source>
+        <translation>La posture de départ n’est pas encore mesurée.</translation>
+    </message>
+    <message>
+        <source>Turned from %1° to %2°, now %3</source>
+        <translation>Tourné de %1° à %2°, maintenant %3</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>non vu</translation>
+    </message>
+    <message>
+        <source>The range begins in a moment.</source>
+        <translation>L’amplitude commence dans un instant.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 of %2&lt;/b&gt; reached</source>
+        <translation>&lt;b&gt;%1 sur %2&lt;/b&gt; atteintes</translation>
+    </message>
+    <message>
+        <source>The object is not seen, or no target is shown.</source>
+        <translation>L’objet n’est pas vu, ou aucune cible n’est affichée.</translation>
+    </message>
+    <message>
+        <source>Pictures %1   ·   lost %2   ·   damaged %3   ·   late %L4 ms</source>
+        <translation>Images %1   ·   perdues %2   ·   abîmées %3   ·   retard %L4 ms</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::ArmViews</name>
+    <message>
+        <source>The arm from the front, from the side and from above</source>
+        <translation>Le bras de face, de côté et de dessus</translation>
+    </message>
+    <message>
+        <source>Markers, the chain from elbow to object, the object (full line) and its target (dashed); one square of the grid is 10 cm</source>
+        <translation>Marqueurs, chaîne du coude à l’objet, objet (trait plein) et sa cible (tirets)&#xa0;; un carreau de la grille fait 10 cm</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Face</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Côté</translation>
+    </message>
+    <message>
+        <source>Above</source>
+        <translation>Dessus</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::BackupWork</name>
     <message>
         <source>No backup could be made: %1</source>
         <translation>Aucune sauvegarde n’a pu être faite : %1</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::CamerasDialog</name>
+    <message>
+        <source>Cameras</source>
+        <translation>Caméras</translation>
+    </message>
+    <message>
+        <source>Qualisys Track Manager</source>
+        <translation>Qualisys Track Manager</translation>
+    </message>
+    <message>
+        <source>OptiTrack Motive</source>
+        <translation>OptiTrack Motive</translation>
+    </message>
+    <message>
+        <source>A recording of markers</source>
+        <translation>Un enregistrement de marqueurs</translation>
+    </message>
+    <message>
+        <source>System of the cameras</source>
+        <translation>Système des caméras</translation>
+    </message>
+    <message>
+        <source>Whose pictures are read (arrow keys)</source>
+        <translation>Dont les images sont lues (flèches)</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>Choisir …</translation>
+    </message>
+    <message>
+        <source>Choose the recording</source>
+        <translation>Choisir l’enregistrement</translation>
+    </message>
+    <message>
+        <source>C3D, TRC, Qualisys table or CSV (Tab)</source>
+        <translation>C3D, TRC, table Qualisys ou CSV (Tab)</translation>
+    </message>
+    <message>
+        <source>Rig</source>
+        <translation>Jeu de marqueurs</translation>
+    </message>
+    <message>
+        <source>What the markers are stuck to; docs/markers.md (arrow keys)</source>
+        <translation>Où sont collés les marqueurs&#xa0;; docs/markers.md (flèches)</translation>
+    </message>
+    <message>
+        <source>System</source>
+        <translation>Système</translation>
+    </message>
+    <message>
+        <source>Use these cameras</source>
+        <translation>Utiliser ces caméras</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Open a recording of markers</source>
+        <translation>Ouvrir un enregistrement de marqueurs</translation>
+    </message>
+    <message>
+        <source>Markers (*.c3d *.trc *.tsv *.csv);;All files (*)</source>
+        <translation>Marqueurs (*.c3d *.trc *.tsv *.csv);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>File of the recording</source>
+        <translation>Fichier de l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Address of their computer</source>
+        <translation>Adresse de leur ordinateur</translation>
+    </message>
+    <message>
+        <source>Where the recording is (Tab)</source>
+        <translation>Où se trouve l’enregistrement (Tab)</translation>
+    </message>
+    <message>
+        <source>Name or number in the network; with :PORT if it is another one (Tab)</source>
+        <translation>Nom ou numéro sur le réseau&#xa0;; avec&#xa0;:PORT si c’est un autre (Tab)</translation>
     </message>
 </context>
 <context>
@@ -2159,6 +2548,20 @@
     <message>
         <source>%L1 min: %2</source>
         <translation>%L1 min&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Pictures of the cameras: %1
+Lost: %2
+Twice: %3
+With other markers: %4
+Damaged: %5
+Connected again: %6</source>
+        <translation>Images des caméras&#xa0;: %1
+Perdues&#xa0;: %2
+En double&#xa0;: %3
+Avec d’autres marqueurs&#xa0;: %4
+Abîmées&#xa0;: %5
+Reconnexions&#xa0;: %6</translation>
     </message>
 </context>
 <context>
@@ -2931,6 +3334,45 @@
     </message>
 </context>
 <context>
+    <name>isograsp::gui::MarkerTable</name>
+    <message>
+        <source>Marker</source>
+        <translation>Marqueur</translation>
+    </message>
+    <message>
+        <source>Seen</source>
+        <translation>Vu</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Résidu</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>Segments and markers</source>
+        <translation>Segments et marqueurs</translation>
+    </message>
+    <message>
+        <source>How much of the last 10 seconds each was seen, by how much its markers miss it, and what the newest picture shows (Tab, then arrow keys)</source>
+        <translation>Part des 10 dernières secondes où chacun a été vu, écart de ses marqueurs, et ce que montre la dernière image (Tab, puis flèches)</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::ObjectPathView</name>
     <message>
         <source>From the front</source>
@@ -3248,6 +3690,37 @@
     </message>
 </context>
 <context>
+    <name>isograsp::gui::PostureForm</name>
+    <message>
+        <source>Not in sight: %1</source>
+        <translation>Hors de vue&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>In sight. Hold the arm still.</source>
+        <translation>En vue. Gardez le bras immobile.</translation>
+    </message>
+    <message>
+        <source>In sight and still: measure it now.</source>
+        <translation>En vue et immobile&#xa0;: mesurez maintenant.</translation>
+    </message>
+    <message>
+        <source>Measure the start posture</source>
+        <translation>Mesurer la posture de départ</translation>
+    </message>
+    <message>
+        <source>Measuring the start posture</source>
+        <translation>Mesure de la posture de départ</translation>
+    </message>
+    <message>
+        <source>The arm is looked for once the cameras are connected.</source>
+        <translation>Le bras est cherché dès que les caméras sont connectées.</translation>
+    </message>
+    <message>
+        <source>The arm is held still for a second; targets are made for its size (Tab, then space)</source>
+        <translation>Le bras reste immobile une seconde&#xa0;; les cibles sont faites pour sa taille (Tab, puis espace)</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::PreparePanel</name>
     <message>
         <source>Patient</source>
@@ -3352,6 +3825,10 @@
     <message>
         <source>once more</source>
         <translation>à refaire</translation>
+    </message>
+    <message>
+        <source>Start posture</source>
+        <translation>Posture de départ</translation>
     </message>
 </context>
 <context>

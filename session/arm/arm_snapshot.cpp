@@ -1,7 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/arm/arm_snapshot.hpp"
 
+#include "kinematics/pose_series.hpp"
+
 namespace isograsp::session {
+
+bool outlasts_a_stand_in(double unseen_s) noexcept {
+  return unseen_s > kLongestStandIn_s + kMarkerTimeSlack_s;
+}
+
+namespace {
+
+ObjectSight sight_of(const ArmSnapshot& now) noexcept {
+  if (has_pose(now.segment(ArmSegment::object).state)) return ObjectSight::seen;
+  if (is_missing(now.last_X_WO)) return ObjectSight::unknown;
+  return outlasts_a_stand_in(now.unseen_s) ? ObjectSight::unseen : ObjectSight::held;
+}
+
+}  // namespace
 
 Stimulus screen_of(const ArmSnapshot& now) noexcept {
   Stimulus screen;
@@ -20,13 +36,15 @@ Stimulus screen_of(const ArmSnapshot& now) noexcept {
                      now.task.target_count,
                      now.task.targets_reached,
                      now.task.hold_fraction};
-  const FramePose& object = now.segment(ArmSegment::object);
-  screen.object_shown = has_pose(object.state);
-  if (screen.object_shown) screen.X_WO = object.X_W;
+  screen.object_shown = has_pose(now.segment(ArmSegment::object).state);
+  screen.sight = sight_of(now);
+  if (screen.sight != ObjectSight::unknown) screen.X_WO = now.last_X_WO;
+  screen.angle = now.angle;
   const tasks::ArmView& task = now.special.arm();
   screen.pose_target_shown = task.reference_shown;
   screen.X_WT = task.reference_shown ? task.X_WR : screen.X_WO;
   screen.turn = task.turn;
+  screen.pose_matched = task.matched;
   return screen;
 }
 

@@ -3,6 +3,7 @@
 // hand/arm_columns.hpp and one triple for each marker.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,13 @@ class ArmTrial final : public TrialSetup {
 
   std::vector<columns::OfAxes> markers;
   std::array<bool, kArmSegmentCount> has_segment{};  ///< those that the rig makes
-  MarkerHealth health;                               ///< at its end
+  /// The angle that the task is about, if it is about one.
+  struct Asked {
+    std::size_t link = 0;
+    Eigen::Index angle = 0;
+  };
+  std::optional<Asked> asked;
+  MarkerHealth health;  ///< at its end
 };
 
 }  // namespace isograsp::session

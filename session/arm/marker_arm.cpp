@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
+#include <variant>
 
 #include "core/files.hpp"
 #include "kinematics/pose_series.hpp"
@@ -11,6 +13,7 @@
 #include "kinematics/postures.hpp"
 #include "session/library/library.hpp"
 #include "storage/crypto/seal.hpp"
+#include "tasks/kinds/arm/active_range.hpp"
 #include "tasks/kinds/arm/pose_matching.hpp"
 
 namespace isograsp::session {
@@ -23,8 +26,15 @@ Error no_chain() {
                  "use such a rig, kurillo15 for example"_text);
 }
 
-bool lasts_longer_than_a_stand_in(double seconds) noexcept {
-  return seconds > kLongestStandIn_s + kMarkerTimeSlack_s;
+/// Takes in the angle that is asked for; not finite: it is not seen. `counts`: its range grows.
+void add_to(ShownAngle& shown, double angle_rad, bool counts) noexcept {
+  shown.seen = std::isfinite(angle_rad);
+  if (!shown.seen) return;
+  shown.now_rad = angle_rad;
+  if (!counts) return;
+  shown.least_rad = shown.ranged ? std::min(shown.least_rad, angle_rad) : angle_rad;
+  shown.largest_rad = shown.ranged ? std::max(shown.largest_rad, angle_rad) : angle_rad;
+  shown.ranged = true;
 }
 }  // namespace
 
@@ -51,6 +61,19 @@ Result<void> MarkerArm::start(Clock& clock) {
   sight_ = *std::move(sight);
   pictures_.emplace(*device_, info_.period_s, device_->now(clock));
   return {};
+}
+
+ArmSetup MarkerArm::setup() const {
+  ArmSetup setup;
+  setup.rig = rig_.rig.name;
+  setup.view = rig_.rig.view.value_or(RigView{});
+  for (const RecordedMarker& marker : recorded_) setup.markers.push_back(marker.name);
+  for (std::size_t s = 0; s < kArmSegmentCount; ++s)
+    setup.has_segment[s] = rig_.frame_of[s].has_value();
+  const RigFrame& object = rig_.rig.frames[*rig_.frame_of[index_of(ArmSegment::object)]];
+  if (const auto* cluster = std::get_if<ClusterFrame>(&object.method))
+    setup.object_m = cluster->template_m;
+  return setup;
 }
 
 void MarkerArm::stop() noexcept {
@@ -122,6 +145,8 @@ Result<std::unique_ptr<TrialSetup>> MarkerArm::make_trial(const tasks::TaskSpec&
   trial->markers = marker_columns(sight_->recorded());
   for (std::size_t s = 0; s < kArmSegmentCount; ++s)
     trial->has_segment[s] = rig_.frame_of[s].has_value();
+  if (const auto* range = spec.kind.get_if<tasks::ActiveRangeSpec>())
+    trial->asked = {index_of(range->link), static_cast<Eigen::Index>(range->angle - 1)};
   storage::TrialRecord& record = trial->record;
   record.task_name = spec.name;
   record.task_version = spec.version;
@@ -158,7 +183,8 @@ bool MarkerArm::measure(Preparation& preparation) noexcept {
   now_.zero_progress = capture.progress();
   if (!ended) return false;
   if (capture.refusal() == StartPostureCapture::Refusal::none) {
-    start_ = capture.mean();  // a copy of fixed size
+    start_ = capture.mean();         // a copy of fixed size
+    now_.start_p_WO = X_W.back().p;  // it was still, and the frame that ends it has all of it
     now_.zeroed = true;
   }
   return true;
@@ -172,13 +198,17 @@ Reception MarkerArm::receive() noexcept {
   now_.health = device_->health();
   const double t_s = now_.session_time_s;
   if (now_.picture) last_picture_s_ = t_s;
-  if (has_pose(now_.segment(ArmSegment::object).state)) last_seen_s_ = t_s;
+  const FramePose& object = now_.segment(ArmSegment::object);
+  if (has_pose(object.state)) {
+    last_seen_s_ = t_s;
+    now_.last_X_WO = object.X_W;
+  }
   now_.unseen_s = t_s - last_seen_s_;
   Reception reception;
   reception.gap = !now_.picture;
-  if (lasts_longer_than_a_stand_in(t_s - last_picture_s_))
+  if (outlasts_a_stand_in(t_s - last_picture_s_))
     reception.sight = Reception::Sight::lost;
-  else if (sight_matters() && lasts_longer_than_a_stand_in(now_.unseen_s))
+  else if (sight_matters() && outlasts_a_stand_in(now_.unseen_s))
     reception.sight = Reception::Sight::occluded;
   return reception;
 }
@@ -187,11 +217,13 @@ void MarkerArm::begin(TrialSetup& setup) noexcept {
   trial_ = &static_cast<ArmTrial&>(setup);
   trial_rows_ = 0;
   now_.special = {};
+  now_.angle = {.shown = trial_->asked.has_value()};
 }
 
 void MarkerArm::end(TrialSetup&) noexcept {
   trial_->health = now_.health;
   trial_ = nullptr;
+  now_.angle = {};
 }
 
 void MarkerArm::step() noexcept {
@@ -201,6 +233,9 @@ void MarkerArm::step() noexcept {
       tasks::ArmInput{static_cast<double>(trial_rows_) * info_.period_s, object.X_W});
   now_.task = view;
   now_.special = view;
+  if (!trial_->asked) return;
+  const auto [link, angle] = *trial_->asked;
+  add_to(now_.angle, now_.link_angles[link][angle], view.phase == tasks::Phase::active);
 }
 
 void MarkerArm::write(const RowFrame& frame, TrialRow& row) noexcept {

@@ -31,6 +31,7 @@ class MarkerArm final : public Apparatus {
 
   [[nodiscard]] const MarkerDeviceInfo& device() const noexcept { return device_->info(); }
   Latest<ArmSnapshot>& snapshots() noexcept { return snapshots_; }  ///< acquisition -> owner
+  [[nodiscard]] ArmSetup setup() const;  ///< once it is started; the owner's
 
   // The other functions of Apparatus are called through a pointer to it.
   [[nodiscard]] const ApparatusInfo& info() const noexcept override { return info_; }

@@ -74,6 +74,16 @@ void healths(FlowFacts& facts, const std::function<void()>& then) {
   }
 }
 
+void cameras(FlowFacts& facts, const std::function<void()>& then) {
+  for (const auto fault : {MarkerFault::none, MarkerFault::silence, MarkerFault::damaged_samples}) {
+    facts.camera_fault = fault;
+    facts.health.state = fault == MarkerFault::none ? DeviceState::streaming
+                         : stops_markers(fault)     ? DeviceState::faulted
+                                                    : DeviceState::degraded;
+    then();
+  }
+}
+
 void arrivals(FlowFacts& facts, const std::function<void()>& then) {
   for (const auto& [arrived, frozen] :
        {std::pair{true, false}, {false, false}, {false, true}, {true, true}}) {
@@ -176,7 +186,9 @@ FlowFacts with_database() {
 const char* disagreement(const FlowFacts& facts, const FlowView& view) {
   const auto next = view.next();
   const bool open = facts.connection == Connection::open;
-  const bool fresh_zero = facts.recorded || (facts.zeroed && !facts.restarted);
+  const bool fresh_zero = facts.start_posture
+                              ? facts.zeroed  // of a recorded arm, too
+                              : facts.recorded || (facts.zeroed && !facts.restarted);
   const bool begins = view.may_begin || view.may_start || view.may_repeat;
   if (std::count(view.steps.begin(), view.steps.end(), StepState::next) > 1)
     return "two next steps";
@@ -313,10 +325,35 @@ void in_a_session(Judge& judge) {
         });
 }
 
+/// Cameras see an arm: a start posture in the place of the zero, nobody rests in a device.
+void before_cameras(Judge& judge) {
+  FlowFacts facts = with_database();
+  facts.connection = Connection::open;
+  facts.patient_chosen = facts.hand_chosen = facts.screened = facts.device_chosen = true;
+  facts.start_posture = facts.rest_done = true;
+  facts.asks_rest = facts.task_rests = facts.task_can_be_shown = false;
+  std::set<std::tuple<Situation, DeviceCondition, ProtocolFacts::Act>> told;
+  every(facts,
+        {zeros, stages, cameras, arrivals, flag(&FlowFacts::zero_asked), flag(&FlowFacts::starting),
+         flag(&FlowFacts::task_chosen), flag(&FlowFacts::task_done), text(&FlowFacts::stop_reason),
+         protocols},
+        [&](const FlowFacts& now) {
+          judge.look(now);
+          const FlowView seen = isograsp::gui::judge(now);
+          ASSERT_FALSE(seen.may_check || seen.may_strap || seen.may_show_how);
+          if (!told.insert({seen.situation, seen.device, now.protocol.act}).second) return;
+          const FlowView view = decide(now);
+          for (const std::string& said : {view.sentence, view.device_words, view.start_hint})
+            for (const char* of_forces : {"empty", "forces", "strap", "hand out", "zero"})
+              EXPECT_EQ(said.find(of_forces), std::string::npos) << said;
+        });
+}
+
 TEST(HonestScreen, LightSentenceAndStepsAgreeForAllFacts) {
   Judge judge;
   before_a_session(judge);
   in_a_session(judge);
+  before_cameras(judge);
   EXPECT_EQ(judge.situations().size(), kSituationCount) << "every situation was met";
   std::printf("combinations of facts: %ld\n", judge.seen());
 }

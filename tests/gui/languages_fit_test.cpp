@@ -143,6 +143,32 @@ std::set<std::string> cut_texts(QWidget& window, const std::string& page, int& s
   return cut;
 }
 
+/// With an arm seen by cameras the page of a session looks different.
+class ArmPage : public FilledWindow, public ::testing::WithParamInterface<const char*> {
+ protected:
+  ArmPage() : FilledWindow(GetParam(), 100) {
+    windows_->presenter().choices().choose_device("sim://arm?patient=healthy&seed=7");
+    windows_->therapist().show_page(TherapistWindow::Page::session);
+  }
+};
+INSTANTIATE_TEST_SUITE_P(, ArmPage, ::testing::ValuesIn(test::every_language()),
+                         test::code_of_language);
+
+TEST_P(ArmPage, CutsNoTextOff) {
+  auto& window = windows_->therapist();
+  auto& page = *window.findChild<QStackedWidget*>("pages")->currentWidget();
+  int seen = 0;
+  for (auto* section : page.findChildren<StepSection*>()) {
+    section->open(true);
+    show_hidden_controls(page);
+    EXPECT_TRUE(laid_out(window));
+    EXPECT_EQ(cut_texts(window, "session", seen), std::set<std::string>{});
+    section->open(false);
+  }
+  EXPECT_TRUE(widget_called<QWidget>("arm_views", window).isVisible());
+  EXPECT_GT(seen, 100);
+}
+
 TEST_P(EveryPage, CutsNoTextOff) {
   std::set<std::string> cut;
   int seen = 0;

@@ -39,6 +39,31 @@ inline std::string make_short_library(const TemporaryFolder& folder, const char*
   return library;
 }
 
+/// The shipped library, in which the protocol of an arm takes a quarter of a minute.
+inline std::string make_arm_library(const TemporaryFolder& folder) {
+  const std::string library = make_short_library(folder, "3");
+  const auto write = [&](const std::string& file, const std::string& text) {
+    std::ofstream(library + "/" + file) << text;
+  };
+  write("tasks/arm_range_forearm.toml",
+        "format = \"isograsp-task-1\"\nname = \"Range, forearm\"\n"
+        "instruction = \"Turn palm down, then palm up. Three times.\"\nversion = 1\n"
+        "kind = \"active_range\"\nlink = \"forearm\"\nangle = 3\nlead_in_s = 0.2\n"
+        "duration_s = 1.5\n");
+  write("tasks/arm_screw.toml",
+        "format = \"isograsp-task-1\"\nname = \"Turn an object in and out\"\n"
+        "instruction = \"Bring your object onto the other one. Stay there.\"\nversion = 1\n"
+        "kind = \"pose_matching\"\npostures = \"screw\"\nsequence = [\"screw\", \"initial\"]\n"
+        "position_tolerance_m = 0.015\nangle_tolerance_deg = 10\nhold_s = 0.3\n"
+        "display_s = 0.6\ntime_limit_s = 15\n");
+  write("protocols/arm_assessment.toml",
+        "format = \"isograsp-protocol-1\"\nname = \"Arm, short\"\n"
+        "[[step]]\nkind = \"start_posture\"\n"
+        "[[step]]\nkind = \"task\"\ntask = \"arm_range_forearm.toml\"\n"
+        "[[step]]\nkind = \"task\"\ntask = \"arm_screw.toml\"\n");
+  return library;
+}
+
 /// Makes every rest in a protocol of that library one second long.
 inline void shorten_rests(const std::string& library, const char* protocol) {
   put_everywhere(std::filesystem::path(library) / "protocols" / protocol, "rest_s", "1");

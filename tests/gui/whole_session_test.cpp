@@ -119,6 +119,59 @@ TEST_F(WholeSession, EndsWithResultsInTheDatabaseAndAReport) {
       << "asked anew in the next session";
 }
 
+class WholeSessionOfAnArm : public QtTest {
+ protected:
+  WholeSessionOfAnArm()
+      : windows_(GuiConfig{folder_.path("clinic.db"), "sim://arm?patient=healthy&seed=7",
+                           make_arm_library(folder_), "test"}) {
+    windows_.show();
+  }
+  ~WholeSessionOfAnArm() override {
+    windows_.presenter().connecting().end_session();
+    EXPECT_TRUE(wait_until([&] { return !windows_.presenter().state().busy(); }));
+  }
+  void keep_picture(const QString& name) {
+    const auto folder = qEnvironmentVariable("ISOGRASP_TEST_PICTURES");
+    if (folder.isEmpty()) return;
+    QDir().mkpath(folder);
+    const auto drawn = windows_.patient()->rate().pictures;
+    EXPECT_TRUE(wait_until([&] { return windows_.patient()->rate().pictures > drawn + 1; }));
+    windows_.therapist().grab().save(folder + "/" + name + "_therapist.png");
+    windows_.patient()->grabFramebuffer().save(folder + "/" + name + "_patient.png");
+  }
+
+  TemporaryFolder folder_;
+  Windows windows_;
+  Operator operator_{windows_};
+};
+
+TEST_F(WholeSessionOfAnArm, DrawsTheObjectAndItsTargetInTheirRoom) {
+  if (QGuiApplication::platformName() != "xcb") GTEST_SKIP() << "needs a display";
+  windows_.show_patient_screen();
+  ASSERT_NE(windows_.patient(), nullptr);
+  auto& presenter = windows_.presenter();
+  const auto picture = [&] { return presenter.patient_view().picture(0.3); };
+  operator_.prepare_person();
+  operator_.press("connect");
+  ASSERT_TRUE(wait_until([&] {
+    return presenter.state().open &&
+           presenter.state().open->still.state() == StillWatch::State::still;
+  })) << presenter.flow().view().sentence;
+  keep_picture("arm_still");
+  operator_.press("start_posture");
+  ASSERT_TRUE(wait_until([&] { return presenter.flow().view().next() == Step::work; }))
+      << presenter.flow().view().sentence;
+  operator_.press("start");
+  ASSERT_TRUE(wait_until([&] { return picture().angle.ranged; }));
+  keep_picture("arm_range");
+  ASSERT_TRUE(wait_until([&] { return picture().target_shown; }));
+  keep_picture("arm_object");
+  ASSERT_TRUE(wait_until([&] { return picture().matched; })) << presenter.flow().view().sentence;
+  keep_picture("arm_matched");
+  ASSERT_TRUE(wait_until([&] { return presenter.state().guide().over(); }));
+  EXPECT_GT(windows_.patient()->rate().pictures, 0);
+}
+
 /// Presses of a mouse button and of keys, wherever they go.
 class Counter final : public QObject {
  public:

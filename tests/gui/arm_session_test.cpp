@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A therapist's whole session with an arm seen by cameras, in the windows: the same pages as with
+// the platform, with the steps, tasks and pictures of an arm.
+#include <QDialog>
+#include <QTableWidget>
+
+#include "gui/arm_pages/cameras_dialog.hpp"
+#include "gui/session_pages/state_light.hpp"
+#include "operator.hpp"
+#include "short_library.hpp"
+#include "storage/access/open_store.hpp"
+#include "tests/support/every.hpp"
+#include "tests/support/must.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace isograsp::gui::test::arm_session_test {
+namespace {
+
+using isograsp::test::must;
+
+constexpr const char* kArmUri = "sim://arm?patient=healthy&seed=7";
+
+class ArmInWindows : public QtTest {
+ protected:
+  ArmInWindows()
+      : windows_(GuiConfig{folder_.path("clinic.db"), "", make_arm_library(folder_), "test"}) {
+    windows_.show();
+  }
+  ~ArmInWindows() override {
+    windows_.presenter().connecting().end_session();
+    EXPECT_TRUE(wait_until([&] { return !windows_.presenter().state().busy(); }));
+  }
+
+  const SessionState& state() { return windows_.presenter().state(); }
+  const FlowView& view() { return windows_.presenter().flow().view(); }
+  PatientPicture picture() { return windows_.presenter().patient_view().picture(0.3); }
+  StepState step(Step which) { return view().steps[static_cast<std::size_t>(which)]; }
+  bool is_there(const char* name) { return operator_.find<QWidget>(name).isVisible(); }
+  QString label(const char* name) { return operator_.find<QLabel>(name).text(); }
+  /// All tasks and protocols that can be chosen are for `apparatus`, and there are some.
+  void expect_only(std::string_view apparatus) {
+    EXPECT_GT(state().library.tasks.size(), 3U);
+    for (const auto& task : isograsp::test::every(state().library.tasks))
+      EXPECT_EQ(task.apparatus(), apparatus) << task.name;
+    for (const auto& protocol : isograsp::test::every(state().library.protocols))
+      EXPECT_EQ(protocol.apparatus(), apparatus) << protocol.spec.name;
+  }
+  void connect(const char* hand) {
+    operator_.prepare_person(hand);
+    operator_.choose_device(kArmUri);
+    operator_.press("connect");
+    ASSERT_TRUE(wait_until([&] { return view().may_zero; })) << view().sentence;
+  }
+  void take_start_posture() {
+    auto& light = operator_.find<StateLight>("posture_light");
+    ASSERT_TRUE(wait_until([&] { return light.mood() == Mood::ready; }))
+        << label("posture_words").toStdString();
+    operator_.press("start_posture");
+    ASSERT_TRUE(wait_until([&] { return view().next() == Step::work; })) << view().sentence;
+    EXPECT_EQ(step(Step::zero), StepState::done);
+  }
+  storage::SessionRecord stored_session() {
+    const auto store =
+        must(storage::open_store(folder_.path("clinic.db"), storage::OpenMode::read_only));
+    return must(store->recent_sessions(1)).at(0);
+  }
+  std::vector<storage::TrialRecord> stored_trials() {
+    const auto store =
+        must(storage::open_store(folder_.path("clinic.db"), storage::OpenMode::read_only));
+    return must(store->trials(must(store->recent_sessions(1)).at(0).id));
+  }
+
+  TemporaryFolder folder_;
+  Windows windows_;
+  Operator operator_{windows_};
+};
+
+TEST_F(ArmInWindows, TasksAndProtocolsAreThoseOfWhatIsChosen) {
+  ASSERT_TRUE(wait_until([&] { return windows_.clinic().is_open(); }));
+  const std::string usual = state().chosen_protocol().spec.name;
+  EXPECT_EQ(state().chosen_protocol().apparatus(), kPlatform);
+  for (const auto& task : isograsp::test::every(state().library.tasks))
+    EXPECT_NE(task.apparatus(), kArm) << "as long as nothing is chosen: " << task.name;
+  operator_.prepare_person();
+  operator_.choose_device(kArmUri);
+  expect_only(kArm);
+  EXPECT_EQ(state().chosen_protocol().spec.name, "Arm, short") << "the usual one of an arm";
+  operator_.choose_device("sim://healthy?seed=7");
+  for (const auto& task : isograsp::test::every(state().library.tasks))
+    EXPECT_NE(task.apparatus(), kArm) << task.name;
+  EXPECT_EQ(state().chosen_protocol().spec.name, usual);
+}
+
+TEST_F(ArmInWindows, AWholeSessionEndsWithItsTrialsInTheDatabase) {
+  connect("hand_right");
+  expect_only(kArm);
+  EXPECT_EQ(view().next(), Step::zero) << view().sentence;
+  EXPECT_EQ(step(Step::rest), StepState::absent);
+  EXPECT_TRUE(is_there("start_posture"));
+  EXPECT_FALSE(is_there("zero")) << "nothing is empty here";
+  EXPECT_FALSE(view().may_check);
+  EXPECT_FALSE(view().may_start) << "targets are made for the size of this arm";
+  EXPECT_TRUE(is_there("arm_views"));
+  auto& markers = operator_.find<QTableWidget>("markers");
+  EXPECT_TRUE(wait_until([&] { return markers.rowCount() > 15; })) << "segments and markers";
+  take_start_posture();
+  EXPECT_TRUE(state().snapshot().zeroed);
+
+  operator_.press("start");
+  ASSERT_TRUE(wait_until([&] { return picture().page == PatientPicture::Page::range; }))
+      << view().sentence;
+  ASSERT_TRUE(wait_until([&] { return picture().angle.ranged; }));
+  EXPECT_TRUE(wait_until([&] { return label("arm_reached").contains("Turned from"); }));
+  // The protocol goes on by itself.
+  ASSERT_TRUE(wait_until([&] { return picture().page == PatientPicture::Page::object; }))
+      << view().sentence;
+  ASSERT_TRUE(wait_until([&] { return picture().target_shown; }));
+  EXPECT_TRUE(wait_until([&] { return label("arm_error").contains("15 mm"); }))
+      << label("arm_error").toStdString();
+  keep_picture(windows_.therapist(), "arm_trial");
+  ASSERT_TRUE(wait_until([&] { return picture().matched; }));
+  EXPECT_TRUE(wait_until([&] { return label("arm_reached").contains("1 of 2"); }))
+      << label("arm_reached").toStdString();
+  keep_picture(windows_.therapist(), "arm_matched");
+  ASSERT_TRUE(wait_until([&] { return state().guide().over(); })) << view().sentence;
+  EXPECT_FALSE(view().next().has_value()) << "every step is done";
+  EXPECT_GT(operator_.find<QTableWidget>("score").rowCount(), 0);
+  operator_.press("effort_3");
+  operator_.press("pain_0");
+  operator_.press("end_disconnect");
+  ASSERT_TRUE(wait_until([&] { return !state().busy(); }));
+
+  const auto session = stored_session();
+  EXPECT_TRUE(session.simulated);
+  EXPECT_EQ(session.protocol_name, "Arm, short");
+  const auto trials = stored_trials();
+  ASSERT_EQ(trials.size(), 2U);
+  for (const auto& trial : isograsp::test::every(trials)) {
+    EXPECT_EQ(trial.status, storage::TrialStatus::completed) << trial.task_name;
+    EXPECT_EQ(trial.dropped, 0) << trial.task_name;
+  }
+}
+
+TEST_F(ArmInWindows, ALeftArmIsPausedGoesOnAndIsStoppedAsOnThePlatform) {
+  connect("hand_left");
+  EXPECT_TRUE(wait_until([&] { return is_there("arm_remark"); })) << "its targets are mirrored";
+  take_start_posture();
+  operator_.press("by_hand");
+  operator_.choose_task("pose_matching");
+  operator_.start_task();
+  ASSERT_TRUE(wait_until([&] { return picture().target_shown; }));
+  operator_.press("pause");
+  ASSERT_TRUE(wait_until([&] { return picture().notice == PatientPicture::Notice::pause; }));
+  operator_.press("pause");  // now Resume
+  ASSERT_TRUE(wait_until([&] { return picture().targets_reached == 1; })) << view().sentence;
+  operator_.press("stop");
+  operator_.finish_task();
+  operator_.disconnect();
+  EXPECT_EQ(stored_session().hand, Hand::left);
+  const auto trials = stored_trials();
+  ASSERT_EQ(trials.size(), 1U);
+  EXPECT_EQ(trials[0].status, storage::TrialStatus::aborted);
+}
+
+TEST_F(ArmInWindows, CamerasAreAskedForAndBecomeAUri) {
+  CamerasDialog dialog(ISOGRASP_SOURCE_DIR "/library");
+  EXPECT_TRUE(dialog.uri().empty()) << "no address";
+  EXPECT_FALSE(widget_called<QAbstractButton>("cameras_accept", dialog).isEnabled());
+  widget_called<QLineEdit>("cameras_where", dialog).setText("192.168.0.7");
+  EXPECT_EQ(dialog.uri(), "qtm://192.168.0.7?rig=kurillo15");
+  widget_called<QComboBox>("cameras_source", dialog).setCurrentIndex(1);
+  widget_called<QLineEdit>("cameras_where", dialog).setText("10.0.0.2");
+  EXPECT_EQ(dialog.uri(), "natnet://10.0.0.2?rig=kurillo15");
+  widget_called<QComboBox>("cameras_source", dialog).setCurrentIndex(2);
+  EXPECT_TRUE(dialog.uri().empty()) << "another system is somewhere else";
+  widget_called<QLineEdit>("cameras_where", dialog).setText("/tmp/a b?.c3d");
+  const auto uri = must(Uri::parse(dialog.uri()));
+  EXPECT_EQ(uri.scheme, "replay");
+  EXPECT_EQ(uri.target, "/tmp/a b?.c3d");
+  EXPECT_EQ(session::kind_of_apparatus(dialog.uri()), kArm);
+  EXPECT_TRUE(widget_called<QAbstractButton>("cameras_accept", dialog).isEnabled());
+}
+
+TEST_F(ArmInWindows, CamerasThatDoNotAnswerAreRefusedInWordsAndNothingIsStored) {
+  operator_.prepare_person();
+  windows_.presenter().choices().choose_device("replay:///nowhere/arm.c3d?rig=kurillo15");
+  expect_only(kArm);
+  operator_.press("connect");
+  ASSERT_TRUE(wait_until([&] { return view().situation == Situation::session_failed; }))
+      << view().sentence;
+  EXPECT_NE(view().sentence.find("arm.c3d"), std::string::npos) << view().sentence;
+  EXPECT_FALSE(state().session_open());
+}
+
+}  // namespace
+}  // namespace isograsp::gui::test::arm_session_test

@@ -67,7 +67,7 @@ ArmSetup MarkerArm::setup() const {
   ArmSetup setup;
   setup.rig = rig_.rig.name;
   setup.view = rig_.rig.view.value_or(RigView{});
-  for (const RecordedMarker& marker : recorded_) setup.markers.push_back(marker.name);
+  for (const RecordedMarker& marker : sight_->recorded()) setup.markers.push_back(marker.name);
   for (std::size_t s = 0; s < kArmSegmentCount; ++s)
     setup.has_segment[s] = rig_.frame_of[s].has_value();
   const RigFrame& object = rig_.rig.frames[*rig_.frame_of[index_of(ArmSegment::object)]];

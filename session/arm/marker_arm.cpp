@@ -70,8 +70,9 @@ ArmSetup MarkerArm::setup() const {
   for (const RecordedMarker& marker : sight_->recorded()) setup.markers.push_back(marker.name);
   for (std::size_t s = 0; s < kArmSegmentCount; ++s)
     setup.has_segment[s] = rig_.frame_of[s].has_value();
-  const RigFrame& object = rig_.rig.frames[*rig_.frame_of[index_of(ArmSegment::object)]];
-  if (const auto* cluster = std::get_if<ClusterFrame>(&object.method))
+  const auto object = rig_.frame_of[index_of(ArmSegment::object)];
+  if (!object) return setup;  // markers alone
+  if (const auto* cluster = std::get_if<ClusterFrame>(&rig_.rig.frames[*object].method))
     setup.object_m = cluster->template_m;
   return setup;
 }

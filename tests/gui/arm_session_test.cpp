@@ -3,6 +3,8 @@
 // the platform, with the steps, tasks and pictures of an arm.
 #include <QDialog>
 #include <QTableWidget>
+#include <numbers>
+#include <sstream>
 
 #include "gui/arm_pages/cameras_dialog.hpp"
 #include "gui/session_pages/state_light.hpp"
@@ -12,6 +14,7 @@
 #include "tests/support/every.hpp"
 #include "tests/support/must.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "virtual_patient/arm/virtual_arm.hpp"
 
 namespace isograsp::gui::test::arm_session_test {
 namespace {
@@ -162,6 +165,53 @@ TEST_F(ArmInWindows, ALeftArmIsPausedGoesOnAndIsStoppedAsOnThePlatform) {
   EXPECT_EQ(trials[0].status, storage::TrialStatus::aborted);
 }
 
+/// What cameras saw of an arm at rest for a minute.
+std::string still_arm(const TemporaryFolder& folder) {
+  virtual_patient::ArmTraits traits = virtual_patient::arm_traits("healthy").value();
+  traits.loss_per_s = 0.0;
+  traits.view_rad = std::numbers::pi;
+  virtual_patient::VirtualArm arm(traits, 5, Hand::right);
+  std::vector<Vec3> p_W(arm.labels().size());
+  std::ostringstream text;
+  text << "t_s";
+  for (const auto& label : arm.labels())
+    for (const char* axis : {"_x_m", "_y_m", "_z_m"}) text << ',' << label << axis;
+  constexpr int kFrames = 6000;
+  constexpr double kPeriod_s = 0.01;
+  for (int k = 0; k < kFrames; ++k) {
+    arm.markers(kPeriod_s * k, p_W);
+    text << '\n' << kPeriod_s * k;
+    for (const Vec3& p : p_W) text << ',' << p.x() << ',' << p.y() << ',' << p.z();
+  }
+  text << '\n';
+  return folder.write("still.csv", text.str());
+}
+
+TEST_F(ArmInWindows, ARecordingOfMarkersIsPreparedAndMeasuredAsAnArm) {
+  operator_.prepare_person();
+  windows_.presenter().choices().choose_device("replay://" + still_arm(folder_) +
+                                               "?rig=kurillo15_trunk");
+  operator_.press("connect");
+  ASSERT_TRUE(wait_until([&] { return view().may_zero; })) << view().sentence;
+  EXPECT_TRUE(state().recorded());
+  EXPECT_FALSE(view().may_start) << "a recorded arm has a size, too";
+  take_start_posture();
+  operator_.choose_task("active_range");
+  operator_.start_task();
+  windows_.therapist().show_page(TherapistWindow::Page::device);
+  EXPECT_TRUE(wait_until([&] { return label("camera_counters").contains("Lost: 0"); }))
+      << label("camera_counters").toStdString();
+  keep_picture(windows_.therapist(), "arm_device");
+  EXPECT_FALSE(is_there("sensor_counters"));
+  windows_.therapist().show_page(TherapistWindow::Page::session);
+  operator_.finish_task();
+  operator_.disconnect();
+  EXPECT_FALSE(stored_session().simulated);
+  const auto trials = stored_trials();
+  ASSERT_EQ(trials.size(), 1U);
+  EXPECT_EQ(trials[0].status, storage::TrialStatus::completed);
+}
+
 TEST_F(ArmInWindows, CamerasAreAskedForAndBecomeAUri) {
   CamerasDialog dialog(ISOGRASP_SOURCE_DIR "/library");
   EXPECT_TRUE(dialog.uri().empty()) << "no address";
@@ -179,6 +229,8 @@ TEST_F(ArmInWindows, CamerasAreAskedForAndBecomeAUri) {
   EXPECT_EQ(uri.target, "/tmp/a b?.c3d");
   EXPECT_EQ(session::kind_of_apparatus(dialog.uri()), kArm);
   EXPECT_TRUE(widget_called<QAbstractButton>("cameras_accept", dialog).isEnabled());
+  dialog.show();
+  keep_picture(dialog, "arm_cameras");
 }
 
 TEST_F(ArmInWindows, CamerasThatDoNotAnswerAreRefusedInWordsAndNothingIsStored) {

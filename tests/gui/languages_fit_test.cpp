@@ -166,6 +166,7 @@ TEST_P(ArmPage, CutsNoTextOff) {
     section->open(false);
   }
   EXPECT_TRUE(widget_called<QWidget>("arm_views", window).isVisible());
+  keep_picture(window, QStringLiteral("arm_page_%1").arg(GetParam()));
   EXPECT_GT(seen, 100);
 }
 

@@ -56,6 +56,8 @@ inline std::string make_arm_library(const TemporaryFolder& folder) {
         "kind = \"pose_matching\"\npostures = \"screw\"\nsequence = [\"screw\", \"initial\"]\n"
         "position_tolerance_m = 0.015\nangle_tolerance_deg = 10\nhold_s = 0.3\n"
         "display_s = 0.6\ntime_limit_s = 15\n");
+  for (const char* task : {"arm_range_flexion.toml", "arm_range_deviation.toml"})
+    put_everywhere(std::filesystem::path(library) / "tasks" / task, "duration_s", "1.5");
   write("protocols/arm_assessment.toml",
         "format = \"isograsp-protocol-1\"\nname = \"Arm, short\"\n"
         "[[step]]\nkind = \"start_posture\"\n"

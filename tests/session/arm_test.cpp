@@ -289,6 +289,53 @@ TEST_F(Arm, WhoDrinksIsNotStoppedWhileTheObjectIsOutOfSightAndNeedsNoStartPostur
   EXPECT_EQ(refused.error().file, "drink.toml");
 }
 
+TEST_F(Arm, TheScreenSaysHowTheObjectIsSeenAndWhereItWasLast) {
+  EXPECT_FALSE(now().start_p_WO.allFinite());
+  ASSERT_TRUE(take_start_posture().accepted);
+  constexpr double kStill_m = 1e-5;  // the noise of the cameras
+  EXPECT_WITHIN((now().start_p_WO - now().segment(ArmSegment::object).X_W.p).norm(), 0.0, kStill_m);
+  begin();
+  tick(10);
+  EXPECT_EQ(screen_of(now()).sight, ObjectSight::seen);
+  const Pose last = screen_of(now()).X_WO;
+  cameras_->script = [&](std::int64_t, std::span<Vec3> p_W) {
+    hide_object(p_W);
+    return true;
+  };
+  tick(5);
+  EXPECT_EQ(screen_of(now()).sight, ObjectSight::held);
+  EXPECT_FALSE(screen_of(now()).object_shown) << "a person in software sees nothing new";
+  tick(5);
+  EXPECT_EQ(screen_of(now()).sight, ObjectSight::unseen);
+  EXPECT_EQ(screen_of(now()).X_WO.p, last.p);
+}
+
+TEST_F(Arm, TheRangeOfAnAngleGrowsWhileItCountsStaysOutOfSightAndEndsWithItsTrial) {
+  begin(test::must(tasks::parse_task(
+      "format = \"isograsp-task-1\"\nname = \"Range\"\ninstruction = \"Turn.\"\nkind = "
+      "\"active_range\"\nlink = \"forearm\"\nangle = 3\nlead_in_s = 0.2\nduration_s = 1\n",
+      "range.toml")));
+  tick(10);
+  EXPECT_TRUE(screen_of(now()).angle.shown && screen_of(now()).angle.seen);
+  EXPECT_FALSE(screen_of(now()).angle.ranged) << "the lead-in does not count";
+  tick(30);
+  const ShownAngle ranged = screen_of(now()).angle;
+  EXPECT_TRUE(ranged.ranged);
+  EXPECT_LT(ranged.least_rad, ranged.largest_rad) << "by the noise of the cameras";
+  EXPECT_LE(ranged.least_rad, ranged.now_rad);
+  EXPECT_GE(ranged.largest_rad, ranged.now_rad);
+  cameras_->script = [&](std::int64_t, std::span<Vec3> p_W) {
+    for (const char* name : {"F1", "F2"}) p_W[cameras_->label(name)] = unseen_marker();
+    return true;
+  };
+  tick(5);
+  EXPECT_FALSE(screen_of(now()).angle.seen);
+  EXPECT_EQ(screen_of(now()).angle.largest_rad, ranged.largest_rad);
+  tick(120);
+  EXPECT_EQ(now().stage, Stage::idle);
+  EXPECT_FALSE(now().angle.shown);
+}
+
 TEST_F(Arm, SilenceIsAFaultAndWaitsForTheTherapist) {
   ASSERT_TRUE(take_start_posture().accepted);
   begin();

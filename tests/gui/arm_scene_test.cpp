@@ -27,6 +27,13 @@ class ArmScene : public QtTest {
     picture_.scene = ArmSpace(setup, Hand::right).box();
   }
 
+  /// Where pictures are asked for.
+  static void keep(const QImage& image, const char* name) {
+    const auto folder = qEnvironmentVariable("ISOGRASP_TEST_PICTURES");
+    if (folder.isEmpty()) return;
+    QDir().mkpath(folder);
+    EXPECT_TRUE(image.save(folder + "/" + name + ".png"));
+  }
   QImage drawn() {
     QSurfaceFormat format;
     format.setVersion(2, 1);
@@ -76,6 +83,7 @@ TEST_F(ArmScene, TheObjectTurnsGreenOnItsTargetAndPaleOutOfSight) {
   picture_.matched = false;
   picture_.unseen = true;
   const QImage pale = drawn();
+  keep(pale, "arm_unseen");
   EXPECT_LT(count(pale, is_blue), kSome);
   EXPECT_LT(count(pale, is_green), kSome);
   picture_.object_shown = false;
@@ -90,6 +98,7 @@ TEST_F(ArmScene, TheTargetHasBrightCornersAndIsSeenThrough) {
   EXPECT_GT(count(drawn(), is_yellow), without + 40);
   picture_.X_WT.p = Vec3(0.0, 0.0, 0.06);  // in front of the object
   const QImage through = drawn();
+  keep(through, "arm_behind_target");
   picture_.object_shown = false;
   const QImage empty = drawn();
   int changed = 0;

@@ -20,7 +20,7 @@ inline tasks::ArmPostures reference_subject(const tasks::TaskSpec& spec) {
   auto library = parse_postures(*text, path);
   if (!library) throw std::runtime_error(library.error().message());
   StartPosture start{1, Pose{Vec3::Zero(), Quat::Identity()}, library->postures.front().X_L};
-  return {*std::move(library), std::move(start)};
+  return {*std::move(library), std::move(start), {}};
 }
 
 /// Where the object is in the initial posture.

@@ -59,6 +59,7 @@ CamerasDialog::CamerasDialog(const std::string& library, QWidget* parent) : QDia
   rig_ = new ChoiceBox;
   rig_->setObjectName("cameras_rig");
   for (const auto& name : rigs_in(library)) rig_->addItem(QString::fromStdString(name));
+  rig_->setCurrentIndex(std::max(0, rig_->findText("kurillo15")));  // that of the assessment
   describe(*rig_, tr("Rig"), tr("What the markers are stuck to; docs/markers.md (arrow keys)"));
   auto* place = new QHBoxLayout;
   place->addWidget(where_, 1);

@@ -12,7 +12,7 @@
 #include "kinematics/pose_task.hpp"
 #include "kinematics/postures.hpp"
 #include "session/library/library.hpp"
-#include "storage/crypto/seal.hpp"
+#include "storage/crypto/content_hash.hpp"
 #include "tasks/kinds/arm/active_range.hpp"
 #include "tasks/kinds/arm/pose_matching.hpp"
 
@@ -157,7 +157,7 @@ Result<std::unique_ptr<TrialSetup>> MarkerArm::make_trial(const tasks::TaskSpec&
     auto compiled = tasks::pose_task_of(*matching, of_this_arm.arm);
     if (!compiled) return compiled.error();
     compiled->name = spec.name;
-    compiled->postures_hash = storage::Digest().add(of_this_arm.arm->text).hex();
+    compiled->postures_hash = storage::uuid_of(of_this_arm.arm->text);
     record.scene_text = pose_task_text(*compiled);
   } else if (of_this_arm.arm) {
     record.scene_text = of_this_arm.arm->text;

@@ -104,7 +104,7 @@ TEST(Rig, WhatIsWrongIsNamedWithItsLineAndARemedy) {
   };
   const Case cases[] = {
       {kHead, "frame: is missing"},
-      {without("[0, 1, 0]]", "[0, 1]]"), "three finite numbers"},
+      {without("[0, 1, 0]]", "[0, 1]]"), "3 finite numbers"},
       {without("\"A\", \"B\", \"C\"", "\"A\", \"B\""), "template_m: has 3 points for 2 markers"},
       {without("\"A\", \"B\", \"C\"", "\"A\", \"B\", \"B\""), "'B' appears twice"},
       {without("orientation = \"body\"", "orientation = \"hand\""), "is no frame before this one"},

@@ -12,7 +12,7 @@
 
 namespace isograsp::app {
 
-HandJson as_json(const Vec3& p) {
+HandJson place_json(const Vec3& p) {
   return HandJson::array({p.x(), p.y(), p.z()});
 }
 

@@ -76,6 +76,6 @@ template <class Read>
 
 using HandJson = nlohmann::ordered_json;
 /// [x, y, z]
-[[nodiscard]] HandJson as_json(const Vec3& p);
+[[nodiscard]] HandJson place_json(const Vec3& p);
 
 }  // namespace isograsp::app

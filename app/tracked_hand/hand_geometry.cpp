@@ -112,8 +112,8 @@ Result<void> run_hand_distance(const HandCaseOptions& options) {
     if (options.json)
       cases.push_back({{"id", id},
                        {"distance_m", contact.distance_m},
-                       {"normal", as_json(contact.normal)},
-                       {"point_m", as_json(contact.point)}});
+                       {"normal", place_json(contact.normal)},
+                       {"point_m", place_json(contact.point)}});
     else
       print("%d %.9f m\n", id, contact.distance_m);
   });

@@ -210,8 +210,9 @@ Result<void> run_hand_couple(const HandGraspOptions& options) {
     if (!row.good()) return;
     const Wrench wrench = coupling_wrench(coupling, is, tracked);
     if (options.json)
-      cases.push_back(
-          {{"id", id}, {"force_N", as_json(wrench.force)}, {"torque_N_m", as_json(wrench.torque)}});
+      cases.push_back({{"id", id},
+                       {"force_N", place_json(wrench.force)},
+                       {"torque_N_m", place_json(wrench.torque)}});
     else
       print("%d %.6g N, %.6g N m\n", id, wrench.force.norm(), wrench.torque.norm());
   });

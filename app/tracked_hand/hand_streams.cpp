@@ -50,7 +50,7 @@ Result<void> run_hand_calibrate(const HandStreamOptions& options) {
   for (std::size_t d = 0; d < kDigitCount; ++d)
     fingers.push_back({{"name", kDigitNames[d]},
                        {"lengths_m", hand.digits[d].lengths_m},
-                       {"base_m", as_json(hand.digits[d].base_m)},
+                       {"base_m", place_json(hand.digits[d].base_m)},
                        {"radii_m", hand.digits[d].radii_m}});
   print_json({{"hand_length_m", hand.length_m},
               {"frames", calibrated->frames},

@@ -60,6 +60,7 @@ inline constexpr std::size_t kWristJoint = 1;
 [[nodiscard]] constexpr std::size_t metacarpal_joint_of(Digit digit) noexcept {
   return digit == Digit::thumb ? joint_of(digit, 0) : joint_of(digit, 0) - 1;
 }
+
 /// One hand at one time.
 struct HandFrame {
   double t_s = 0.0;

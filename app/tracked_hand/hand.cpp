@@ -32,6 +32,19 @@ void CaseTable::fail(const std::string& column, Text what, Text remedy) {
   if (!first_) first_ = table_.error_here(column, std::move(what), std::move(remedy));
 }
 
+void CaseTable::fail(Error error) {
+  if (!first_) first_ = std::move(error);
+}
+
+const virtual_hand::HandModel* HandsOfTable::of(CaseTable& row) {
+  const std::string name = row.word("hand");
+  if (const auto known = read_.find(name); known != read_.end()) return &known->second;
+  auto hand = load_hand(folder_ / (name + ".toml"));
+  if (hand) return &(read_[name] = *std::move(hand));
+  row.fail(hand.error());
+  return nullptr;
+}
+
 Result<void> CaseTable::good() const {
   if (first_) return *first_;
   return {};

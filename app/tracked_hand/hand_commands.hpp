@@ -2,6 +2,8 @@
 // The parts of `isograsp hand`, and what they share.
 #pragma once
 
+#include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -48,6 +50,7 @@ class CaseTable {
   std::array<virtual_hand::DigitAngles, kDigitCount> angles();
 
   void fail(const std::string& column, Text what, Text remedy);
+  void fail(Error error);
   [[nodiscard]] Result<void> good() const;
   [[nodiscard]] bool has(const std::string& column) const {
     return table_.find(column).has_value();
@@ -73,6 +76,18 @@ template <class Read>
     if (auto good = table->good(); !good) return good;
   }
 }
+
+/// The hand files that a table names in its column `hand`; they lie beside it, each is read once.
+class HandsOfTable {
+ public:
+  explicit HandsOfTable(std::filesystem::path table) : folder_(table.parent_path()) {}
+  /// That of a row; null: it cannot be read, and the row fails.
+  [[nodiscard]] const virtual_hand::HandModel* of(CaseTable& row);
+
+ private:
+  std::filesystem::path folder_;
+  std::map<std::string, virtual_hand::HandModel> read_;
+};
 
 using HandJson = nlohmann::ordered_json;
 /// [x, y, z]

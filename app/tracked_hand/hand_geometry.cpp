@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // isograsp hand fk, distance.
-#include <filesystem>
-#include <map>
 #include <memory>
 
 #include <nlohmann/json.hpp>
@@ -51,23 +49,13 @@ HandJson jacobians_json(const HandInSpace& hand) {
 }
 
 Result<void> run_hand_fk(const HandCaseOptions& options) {
-  std::map<std::string, HandModel> hands;
+  HandsOfTable hands(options.cases);
   auto poses = HandJson::array();
-  std::optional<Error> bad_hand;
   const auto read = read_cases(options.cases, [&](CaseTable& row) {
-    const std::string name = row.word("hand");
     const HandPose pose{{row.three("", "_m"), row.attitude("")}, row.angles()};
-    if (bad_hand || !row.good()) return;
-    if (!hands.contains(name)) {
-      const auto file = std::filesystem::path(options.cases).parent_path() / (name + ".toml");
-      const auto hand = load_hand(file);
-      if (!hand) {
-        bad_hand = hand.error();
-        return;
-      }
-      hands[name] = *hand;
-    }
-    const HandInSpace hand = hand_in_space(hands[name], pose);
+    const HandModel* const model = hands.of(row);
+    if (!row.good()) return;
+    const HandInSpace hand = hand_in_space(*model, pose);
     const int id = row.whole("id");
     if (options.json) {
       poses.push_back(
@@ -80,7 +68,6 @@ Result<void> run_hand_fk(const HandCaseOptions& options) {
             joints[j].p.x(), joints[j].p.y(), joints[j].p.z());
   });
   if (!read) return read;
-  if (bad_hand) return *bad_hand;
   if (options.json) print_json({{"poses", std::move(poses)}});
   return {};
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // isograsp hand grasp, gains, couple, least-force.
-#include <filesystem>
 #include <map>
 #include <memory>
 
@@ -125,29 +124,19 @@ Result<void> run_hand_grasp(const HandGraspOptions& options) {
   if (!contacts) return contacts.error();
   const auto limits = read_limits(options.sets);
   if (!limits) return limits.error();
-  std::map<std::string, HandModel> hands;
-  std::optional<Error> bad_hand;
+  HandsOfTable hands(options.cases);
   auto cases = HandJson::array();
   const auto read = read_cases(options.cases, [&](CaseTable& row) {
     const int id = row.whole("id");
-    const std::string name = row.word("hand");
     const HandPose pose{{row.three("palm_", "_m"), row.attitude("palm_")}, row.angles()};
     const Pose X_WO{row.three("object_", "_m"), row.attitude("object_")};
     const auto touching = contacts->find(id);
     if (touching == contacts->end() || touching->second.size() < 2)
       row.fail("id", "has no two contacts"_text, "write them in the file of --contacts"_text);
-    if (bad_hand || !row.good()) return;
-    if (!hands.contains(name)) {
-      const auto file = std::filesystem::path(options.cases).parent_path() / (name + ".toml");
-      const auto hand = load_hand(file);
-      if (!hand) {
-        bad_hand = hand.error();
-        return;
-      }
-      hands[name] = *hand;
-    }
-    const auto sets = criteria_of_sets(touching->second, hand_in_space(hands[name], pose), X_WO,
-                                       hand_scale_m(hands[name]), options.pad);
+    const HandModel* const hand = hands.of(row);
+    if (!row.good()) return;
+    const auto sets = criteria_of_sets(touching->second, hand_in_space(*hand, pose), X_WO,
+                                       hand_scale_m(*hand), options.pad);
     if (!options.json) {
       for (const GraspCriteria& set : sets)
         print("%d %s G_min %.4f H_min %.4f H_det %.3g\n", id, name_of(set.digits).c_str(),
@@ -161,7 +150,6 @@ Result<void> run_hand_grasp(const HandGraspOptions& options) {
     cases.push_back(std::move(one));
   });
   if (!read) return read;
-  if (bad_hand) return *bad_hand;
   if (options.json) print_json({{"cases", std::move(cases)}});
   return {};
 }

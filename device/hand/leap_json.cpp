@@ -72,7 +72,9 @@ Vec3 wrist_of(const Json& hand, const HandFrame& frame) {
   for (std::size_t d = 1; d < kDigitCount; ++d)
     sum += frame.joints[metacarpal_joint_of(static_cast<Digit>(d))];
   if (sum.allFinite()) return sum / static_cast<double>(kDigitCount - 1);
-  return frame.joints[kPalmJoint] - kPalmToWrist_m * three_of(hand, "direction").normalized();
+  const Vec3 direction = three_of(hand, "direction");
+  if (!(direction.norm() > 0.0)) return kNotGiven;
+  return frame.joints[kPalmJoint] - kPalmToWrist_m * direction.normalized();
 }
 
 std::optional<HandFrame> read_hand(const Json& hand, const Json& pointables) {

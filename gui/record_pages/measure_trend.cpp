@@ -9,6 +9,7 @@
 #include "gui/clinic/history.hpp"
 #include "gui/words/texts.hpp"
 #include "gui/words/words.hpp"
+#include "reports/findings/comparable.hpp"
 #include "reports/findings/report_text.hpp"
 #include "tasks/facts/measure_words.hpp"
 
@@ -30,7 +31,8 @@ bool is_mixed(const HistorySeries& series,
     if (trial == trials.end()) continue;
     if (first == nullptr) first = trial->second;
     if (trial->second->task_text != first->task_text ||
-        trial->second->scene_text != first->scene_text)
+        reports::lasting_scene(trial->second->scene_text) !=
+            reports::lasting_scene(first->scene_text))
       return true;
   }
   return false;

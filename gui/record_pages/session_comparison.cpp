@@ -9,6 +9,7 @@
 
 #include "gui/words/texts.hpp"
 #include "gui/words/words.hpp"
+#include "reports/findings/comparable.hpp"
 #include "tasks/facts/measure_words.hpp"
 #include "tasks/reasons/reasons.hpp"
 
@@ -19,7 +20,8 @@ namespace {
 /// What makes two trials the same task; the name alone does not.
 using TaskKey = std::tuple<std::string, int, std::string, std::string>;
 TaskKey task_of(const storage::TrialRecord& trial) {
-  return {trial.task_name, trial.task_version, trial.task_text, trial.scene_text};
+  return {trial.task_name, trial.task_version, trial.task_text,
+          reports::lasting_scene(trial.scene_text)};
 }
 
 using MeasureKey = std::tuple<std::string, std::string, int, std::string>;

@@ -19,19 +19,18 @@ VisualGain gain_of(const storage::References& references) {
           storage::value_of(references, platform::kMaximumForce_N)};
 }
 
-/// What the references of a trial come from; a file that does not tell it is all there is.
-std::string postures_of(const std::string& scene_text) {
-  if (scene_text.empty()) return "";
-  const auto references = parse_pose_task(scene_text, "");
-  return references && !references->postures_hash.empty() ? references->postures_hash : scene_text;
-}
-
 bool is_of_an_arm(const storage::TrialRecord& trial) {
   const auto task = tasks::parse_task(trial.task_text, "");
   return task && task->apparatus() == kArm;
 }
 
 }  // namespace
+
+std::string lasting_scene(const std::string& scene_text) {
+  if (scene_text.empty()) return "";
+  const auto references = parse_pose_task(scene_text, "");
+  return references && !references->postures_hash.empty() ? references->postures_hash : scene_text;
+}
 
 Source source_of(const storage::SessionRecord& session) {
   if (session.simulated) return Source::simulated;
@@ -53,13 +52,13 @@ Conditions conditions_of(const StoredTrial& trial) {
   return {session.rate_Hz, session.device_delay_s, session.display_delay_s,
           gain_of(trial.trial.references),
           is_of_an_arm(trial.trial)
-              ? ArmConditions{session.calibration, postures_of(trial.trial.scene_text)}
+              ? ArmConditions{session.calibration, lasting_scene(trial.trial.scene_text)}
               : ArmConditions{}};
 }
 
 Conditions conditions_of(const storage::PooledValue& value) {
   return {value.rate_Hz, value.device_delay_s, value.display_delay_s, gain_of(value.references),
-          ArmConditions{value.calibration, postures_of(value.scene_text)}};
+          ArmConditions{value.calibration, lasting_scene(value.scene_text)}};
 }
 
 Text difference(const Conditions& a, const Conditions& b) {

@@ -30,6 +30,10 @@ struct ArmConditions {
   bool operator==(const ArmConditions&) const = default;
 };
 
+/// What of a trial's scene stays the same from day to day: of references that were adapted to an
+/// arm the hash of the postures they come from, of everything else the scene itself.
+[[nodiscard]] std::string lasting_scene(const std::string& scene_text);
+
 /// What a trial was measured and shown with.
 struct Conditions {
   double rate_Hz = 0.0;

@@ -13,6 +13,7 @@
 #include "gui/record_pages/measure_trend.hpp"
 #include "gui/record_pages/session_comparison.hpp"
 #include "gui/trial_pages/opened_trial.hpp"
+#include "kinematics/pose_task.hpp"
 #include "storage/access/open_store.hpp"
 #include "tasks/facts/measure_words.hpp"
 #include "tests/reports/demo_clinic.hpp"
@@ -186,6 +187,28 @@ TEST_F(PatientCourseTest, AnotherVersionOfAMeasureIsNotCompared) {
   EXPECT_LT(comparison.rows.size(), before);
   ASSERT_EQ(comparison.left_out.size(), 1U);
   EXPECT_TRUE(comparison.left_out[0].contains("other version of the measure"));
+}
+
+TEST_F(PatientCourseTest, SessionsOfAnArmAreComparedAlthoughItsReferencesAreThoseOfTheDay) {
+  const auto session = [](int number, const std::string& postures, double x_m) {
+    PoseTask task;
+    task.frame = "object";
+    task.postures_hash = postures;
+    task.references = {{"turned", {Vec3(x_m, 0.0, 0.0), Quat::Identity()}}};
+    task.targets = {0};
+    task.position_tolerance_m = task.angle_tolerance_rad = 0.1;
+    task.time_limit_s = 10.0;
+    CourseTrial trial;
+    trial.record.task_name = "Turn";
+    trial.record.scene_text = pose_task_text(task);
+    trial.record.status = storage::TrialStatus::completed;
+    trial.measures = {{"reached_share", "", 1.0, "1", 1, 10, 0, ""}};
+    CourseSession one{number, {}, {trial}};
+    one.record.id = number;
+    return one;
+  };
+  EXPECT_EQ(compare_sessions(session(1, "0a", 0.1), session(2, "0a", 0.2)).rows.size(), 1U);
+  EXPECT_TRUE(compare_sessions(session(1, "0a", 0.1), session(2, "1b", 0.1)).rows.empty());
 }
 
 TEST_F(PatientCourseTest, AWaitInVainDoesNotDropOutOfAMean) {

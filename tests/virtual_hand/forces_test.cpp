@@ -93,6 +93,9 @@ TEST(Placement, ScoresAreThoseOfTheOracle) {
   }
 }
 
+/// Of times and angles of a few units.
+constexpr double kRounding = 1e-12;
+
 /// Held at the target from the first row on, 100 Hz.
 std::vector<PlacementRow> held_at_target(int rows) {
   std::vector<PlacementRow> all;
@@ -122,16 +125,16 @@ TEST(Placement, AHoldThatIsLeftBeginsAnew) {
   EXPECT_EQ(*score_placement(rows).done_s, 1.0);
   rows[60].X_WO.p.x() = 0.016;  // beyond one and a half times 10 mm
   const PlacementScore again = score_placement(rows);
-  EXPECT_WITHIN(*again.manipulation_s, 0.61, 1e-12);
+  EXPECT_WITHIN(*again.manipulation_s, 0.61, kRounding);
   rows[60].X_WO.p.x() = 0.014;
   EXPECT_EQ(*score_placement(rows).done_s, 1.0) << "a little farther is still there";
 }
 
 TEST(Placement, AnAxisHasNoDirection) {
   const Quat over(Eigen::AngleAxisd(std::numbers::pi, Vec3::UnitX()));
-  EXPECT_WITHIN(main_axis_angle(Quat::Identity(), over), 0.0, 1e-15);
+  EXPECT_WITHIN(main_axis_angle(Quat::Identity(), over), 0.0, kRounding);
   const Quat turned(Eigen::AngleAxisd(0.3, Vec3::UnitY()));
-  EXPECT_WITHIN(main_axis_angle(over, turned), 0.3, 1e-15);
+  EXPECT_WITHIN(main_axis_angle(over, turned), 0.3, kRounding);
 }
 
 }  // namespace

@@ -46,6 +46,7 @@ Result<PoseTask> parse_pose_task(std::string_view text, const std::string& file)
   task.hold_s = not_negative(*root, "hold_s", 0.0);
   task.display_s = not_negative(*root, "display_s", 2.0);
   task.time_limit_s = above_zero(*root, "time_limit_s");
+  task.postures_hash = root->text("postures_hash", "");
   for (TomlReader& table : root->tables("reference")) {
     PoseReference reference{table.text("name"), read_pose(table)};
     for (const PoseReference& other : task.references)
@@ -88,6 +89,8 @@ std::string pose_task_text(const PoseTask& task) {
                      "\ndisplay_s = " + format_number(task.display_s) +
                      "\ntime_limit_s = " + format_number(task.time_limit_s) + "\nsequence = [" +
                      sequence + "]\n";
+  if (!task.postures_hash.empty())
+    text += "postures_hash = " + toml_text(task.postures_hash) + "\n";
   for (const PoseReference& reference : task.references)
     text += "\n[[reference]]\nname = " + toml_text(reference.name) +
             "\nposition_m = " + toml_numbers(reference.X_WR.p) +

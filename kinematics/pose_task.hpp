@@ -28,6 +28,8 @@ struct PoseTask {
   double hold_s = 0.0;     ///< how long inside counts as reached
   double display_s = 2.0;  ///< from reached to the next cue
   double time_limit_s = 0.0;
+  /// Of the file of postures that the references were adapted from; empty: not told.
+  std::string postures_hash;
 };
 
 [[nodiscard]] Result<PoseTask> parse_pose_task(std::string_view text, const std::string& file);

@@ -17,7 +17,35 @@ VisualGain gain_of(const storage::References& references) {
           storage::value_of(references, platform::kMaximumForce_N)};
 }
 
+constexpr std::string_view kRigFormat = "isograsp-rig-1";
+constexpr std::string_view kPosturesHash = "postures_hash = ";
+
+/// The line of a pose task that says which postures it was made from; empty: none does.
+std::string postures_line(std::string_view pose_task) {
+  const std::size_t begin = pose_task.find(kPosturesHash);
+  if (begin == std::string_view::npos) return "";
+  return std::string(pose_task.substr(begin, pose_task.find('\n', begin) - begin));
+}
+
+Text difference(const ArmConditions& a, const ArmConditions& b) {
+  if (a.rig != b.rig) return "other rig of markers"_text;
+  if (a.cameras != b.cameras) return "other system of cameras"_text;
+  if (a.postures != b.postures) return "other postures"_text;
+  return {};
+}
+
 }  // namespace
+
+std::optional<ArmConditions> arm_conditions(const StoredTrial& trial) {
+  const storage::SessionRecord& session = *trial.session_record;
+  if (session.calibration.find(kRigFormat) == std::string::npos) return std::nullopt;
+  const std::string_view uri = session.device_uri;
+  const std::size_t scheme = uri.find("://");
+  return ArmConditions{
+      session.calibration,
+      std::string(scheme == std::string_view::npos ? "" : uri.substr(0, scheme + 3)),
+      postures_line(trial.trial.scene_text)};
+}
 
 Source source_of(const storage::SessionRecord& session) {
   if (session.simulated) return Source::simulated;
@@ -60,21 +88,33 @@ Text difference(const StoredTrial& a, const StoredTrial& b) {
     return "other source of forces"_text;
   if (a.trial.task_version != b.trial.task_version) return "other version of the task"_text;
   if (a.trial.task_text != b.trial.task_text) return "other task parameters"_text;
-  if (a.trial.scene_text != b.trial.scene_text) return "other object or scene"_text;
+  const auto arm_of_a = arm_conditions(a);
+  const auto arm_of_b = arm_conditions(b);
+  if (arm_of_a && arm_of_b) {
+    if (auto why = difference(*arm_of_a, *arm_of_b); !why.empty()) return why;
+  } else if (a.trial.scene_text != b.trial.scene_text) {
+    return "other object or scene"_text;
+  }
   return difference(conditions_of(a), conditions_of(b));
 }
 
 storage::PoolQuery pool_query(const StoredTrial& like, const MeasureSeries& measure) {
-  return {like.trial.task_name,
-          like.trial.task_version,
-          like.trial.task_text,
-          like.trial.scene_text,
-          measure.name,
-          measure.channel,
-          measure.unit,
-          measure.version,
-          like.session_record->simulated,
-          like.session_record->recorded};
+  storage::PoolQuery query{like.trial.task_name,
+                           like.trial.task_version,
+                           like.trial.task_text,
+                           like.trial.scene_text,
+                           measure.name,
+                           measure.channel,
+                           measure.unit,
+                           measure.version,
+                           like.session_record->simulated,
+                           like.session_record->recorded};
+  if (auto arm = arm_conditions(like)) {
+    query.scene_text = arm->postures;
+    query.calibration = std::move(arm->rig);
+    query.uri_begins = std::move(arm->cameras);
+  }
+  return query;
 }
 
 double DayCounter::day_of(const std::string& started_utc) {

@@ -22,6 +22,16 @@ struct VisualGain {
 };
 [[nodiscard]] bool same_gain(const VisualGain& a, const VisualGain& b);
 
+/// What else trials of an arm seen by markers must have in common: their references are adapted to
+/// each start posture, so that the stored ones differ from session to session.
+struct ArmConditions {
+  std::string rig;       ///< its text: frames, object and their limits
+  std::string cameras;   ///< "qtm://": another system sees otherwise
+  std::string postures;  ///< hash of their file; empty: none are used
+};
+/// Nothing: of another apparatus.
+[[nodiscard]] std::optional<ArmConditions> arm_conditions(const StoredTrial& trial);
+
 /// What a trial was measured and shown with.
 struct Conditions {
   double rate_Hz = 0.0;

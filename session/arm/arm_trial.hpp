@@ -24,6 +24,9 @@ class ArmTrial final : public TrialSetup {
   std::vector<columns::OfAxes> markers;
   std::array<bool, kArmSegmentCount> has_segment{};  ///< those that the rig makes
   MarkerHealth health;                               ///< at its end
+  /// From the back of the hand to the object in the start posture; nothing: the task is not about
+  /// the object.
+  std::optional<double> hand_to_object_m;
 };
 
 }  // namespace isograsp::session

@@ -11,6 +11,7 @@
 #include "kinematics/pose_task.hpp"
 #include "kinematics/postures.hpp"
 #include "session/library/library.hpp"
+#include "storage/crypto/content_hash.hpp"
 #include "tasks/kinds/arm/pose_matching.hpp"
 
 namespace isograsp::session {
@@ -71,8 +72,8 @@ Result<std::unique_ptr<Preparation>> MarkerArm::make_preparation(const ZeroReque
       std::make_unique<StartPostureCapture>(info_.period_s, request.settle_s));
 }
 
-Result<std::vector<PoseReference>> MarkerArm::references(const tasks::TaskSpec& spec) const {
-  std::vector<PoseReference> references;
+Result<MarkerArm::References> MarkerArm::references(const tasks::TaskSpec& spec) const {
+  References references;
   const auto* const matching = spec.kind.get_if<tasks::PoseMatchingSpec>();
   if (matching == nullptr) return references;
   if (!start_)
@@ -90,10 +91,12 @@ Result<std::vector<PoseReference>> MarkerArm::references(const tasks::TaskSpec& 
                    "use postures that were recorded with such a rig"_text)
         .at(*path)
         .about("chain");
+  references.postures_hash = storage::hex_of(storage::content_hash(*text));
   const Postures postures = part_of_the_way(*std::move(library), matching->way);
   const StartPosture start = start_->mean();
   for (std::size_t j = 0; j < postures.postures.size(); ++j)
-    references.push_back({postures.postures[j].name, adapted(postures, j, start, matching->scale)});
+    references.poses.push_back(
+        {postures.postures[j].name, adapted(postures, j, start, matching->scale)});
   return references;
 }
 
@@ -102,7 +105,7 @@ Result<std::unique_ptr<TrialSetup>> MarkerArm::make_trial(const tasks::TaskSpec&
   auto brought_to = references(spec);
   if (!brought_to) return brought_to.error();
   tasks::TaskContext of_this_arm = context;
-  of_this_arm.references_of_poses = *std::move(brought_to);
+  of_this_arm.references_of_poses = std::move(brought_to->poses);
   auto task = tasks::make_task(spec, of_this_arm);
   if (!task) return task.error();
   auto trial = std::make_unique<ArmTrial>();
@@ -121,7 +124,9 @@ Result<std::unique_ptr<TrialSetup>> MarkerArm::make_trial(const tasks::TaskSpec&
     if (!compiled) return compiled.error();
     compiled->name = spec.name;
     compiled->frame = rig_.chain.back();
+    compiled->postures_hash = brought_to->postures_hash;
     record.scene_text = pose_task_text(*compiled);
+    trial->hand_to_object_m = start_->mean().X_L.back().p.norm();
   }
   return std::unique_ptr<TrialSetup>(std::move(trial));
 }
@@ -177,10 +182,13 @@ Reception MarkerArm::receive() noexcept {
   if (now_.picture) last_picture_s_ = t_s;
   if (has_pose(now_.segment(ArmSegment::object).state)) last_seen_s_ = t_s;
   now_.unseen_s = t_s - last_seen_s_;
+  held_.see(now_.segment(ArmSegment::dorsum).X_W, now_.segment(ArmSegment::object).X_W);
   Reception reception;
   reception.gap = !now_.picture;
   if (lasts_longer_than_a_stand_in(t_s - last_picture_s_))
     reception.sight = Reception::Sight::lost;
+  else if (held_.is_lost())
+    reception.sight = Reception::Sight::let_go;
   else if (lasts_longer_than_a_stand_in(now_.unseen_s))
     reception.sight = Reception::Sight::occluded;
   return reception;
@@ -190,11 +198,16 @@ void MarkerArm::begin(TrialSetup& setup) noexcept {
   trial_ = &static_cast<ArmTrial&>(setup);
   trial_rows_ = 0;
   now_.special = {};
+  if (trial_->hand_to_object_m)
+    held_.begin(*trial_->hand_to_object_m, info_.period_s);
+  else
+    held_.end();
 }
 
 void MarkerArm::end(TrialSetup&) noexcept {
   trial_->health = now_.health;
   trial_ = nullptr;
+  held_.end();
 }
 
 void MarkerArm::step() noexcept {

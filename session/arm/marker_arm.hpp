@@ -14,6 +14,7 @@
 #include "session/arm/arm_rig.hpp"
 #include "session/arm/arm_snapshot.hpp"
 #include "session/arm/arm_trial.hpp"
+#include "session/arm/held_object.hpp"
 #include "session/arm/picture_reader.hpp"
 #include "session/arm/start_posture.hpp"
 
@@ -73,7 +74,11 @@ class MarkerArm final : public Apparatus {
 
   /// Poses of all frames from the picture of this frame; all missing without one.
   void see_arm() noexcept;
-  [[nodiscard]] Result<std::vector<PoseReference>> references(const tasks::TaskSpec& spec) const;
+  struct References {
+    std::vector<PoseReference> poses;
+    std::string postures_hash;  ///< of their file as it is
+  };
+  [[nodiscard]] Result<References> references(const tasks::TaskSpec& spec) const;
 
   std::unique_ptr<MarkerSource> person_;
   std::unique_ptr<MarkerDevice> device_;  ///< shows the person
@@ -95,6 +100,7 @@ class MarkerArm final : public Apparatus {
 
   Latest<ArmSnapshot> snapshots_;
   ArmSnapshot now_;                        ///< the state that is published
+  HeldObject held_;                        ///< in the running trial
   std::optional<StartPostureMean> start_;  ///< nothing: not measured yet
   ArmTrial* trial_ = nullptr;
 };

@@ -72,6 +72,16 @@ ContentHash content_hash(std::string_view bytes) {
   return hash;
 }
 
+std::string hex_of(const ContentHash& hash) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string text;
+  for (const std::uint8_t byte : hash) {
+    text += kDigits[byte / kDigits.size()];
+    text += kDigits[byte % kDigits.size()];
+  }
+  return text;
+}
+
 std::string random_uuid() {
   start_sodium();
   Uuid bytes{};

@@ -40,6 +40,9 @@ class ContentHasher {
   return {reinterpret_cast<const char*>(hash.data()), hash.size()};
 }
 
+/// 64 hexadecimal digits.
+[[nodiscard]] std::string hex_of(const ContentHash& hash);
+
 /// Version 4 (RFC 9562): random.
 [[nodiscard]] std::string random_uuid();
 /// Version 8 (RFC 9562): always the same of the same name.

@@ -118,6 +118,10 @@ struct PoolQuery {
   int measure_version = 1;
   bool simulated = false;
   bool recorded = false;
+  /// Of an arm seen by markers, whose references are its own: `scene_text` is a part of the stored
+  /// text, and the calibration and the beginning of the URI are asked for, too. Empty: of no arm.
+  std::string calibration{};
+  std::string uri_begins{};
 };
 /// One trial of a person who is judged stable or is healthy, with what else decides what it is
 /// compared with.

@@ -164,6 +164,17 @@ Result<std::vector<PooledValue>> SqliteStore::pooled_values(const PoolQuery& que
   const int recorded = query.recorded ? 1 : 0;
   const auto done = database_.guard("reading values of other people"_text, [&] {
     PooledValue one;
+    std::string scene = "t.scene_text = :scene ";
+    std::vector<SqlValue> used{std::int64_t{simulated}, std::int64_t{recorded}, query.task_name,
+                               query.task_version,      query.task_text,        query.scene_text};
+    if (!query.calibration.empty()) {
+      scene =
+          "instr(t.scene_text, :scene) > 0 AND s.calibration = :calibration "
+          "AND instr(s.device_uri, :uri) = 1 ";
+      used.emplace_back(query.calibration);
+      used.emplace_back(query.uri_begins);
+    }
+    used.insert(used.end(), {query.measure, query.channel, query.unit, query.measure_version});
     Row row(database_.sql());
     row.get("p.patient_id", one.patient_id)
         .get("p.id", one.period_id)
@@ -188,12 +199,12 @@ Result<std::vector<PooledValue>> SqliteStore::pooled_values(const PoolQuery& que
                    "WHERE s.simulated = :simulated AND s.recorded = :recorded "
                    "AND t.task_name = :task AND t.task_version = :task_version "
                    "AND t.status = 'completed' AND t.practice = 0 AND t.helped = 0 "
-                   "AND t.task_text = :text AND t.scene_text = :scene AND m.name = :measure "
+                   "AND t.task_text = :text AND " +
+                   scene +
+                   "AND m.name = :measure "
                    "AND m.channel = :channel AND m.unit = :unit AND m.version <= :version "
                    "ORDER BY p.patient_id, s.started_utc, s.id, t.number",
-               {std::int64_t{simulated}, std::int64_t{recorded}, query.task_name,
-                query.task_version, query.task_text, query.scene_text, query.measure, query.channel,
-                query.unit, query.measure_version});
+               std::move(used));
     while (row.fetch()) {
       // The same trial again: its result in another version.
       if (!all.empty() && all.back().trial_id == one.trial_id &&

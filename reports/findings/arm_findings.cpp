@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <span>
+#include <utility>
 
 #include "hand/arm_columns.hpp"
 #include "kinematics/measures/compensation.hpp"
@@ -63,6 +64,15 @@ Text line_of(const OfPosture& posture, double time_limit_s) {
         Known{posture.name}, posture.reached, asked, fixed(time_limit_s, 0));
   return "%1: reached %2 of %3, median %4 s"_text(Known{posture.name}, posture.reached, asked,
                                                   fixed(middle_of(posture.times_s), 1));
+}
+
+constexpr std::array<Words, kArmLinkCount> kLinkWords{"forearm"_text, "wrist"_text, "fingers"_text};
+
+std::optional<double> value_in(const std::vector<Measure>& measures, std::string_view name,
+                               std::string_view channel) {
+  for (const Measure& measure : measures)
+    if (measure.name == name && measure.channel == channel) return measure.value;
+  return std::nullopt;
 }
 
 /// Poses of a segment, row by row; missing where a field is empty. Nothing: it was not recorded.
@@ -127,6 +137,38 @@ std::vector<Text> posture_lines(const TaskSection& section,
       fixed(kDegreesPerRadian * spec->angle_tolerance_rad, 0), fixed(spec->hold_s, 1)));
   for (const OfPosture& posture : by_posture(*spec, compared))
     if (!posture.times_s.empty()) lines.push_back(line_of(posture, spec->time_limit_s));
+  return lines;
+}
+
+std::vector<Text> sharing_lines(const TaskSection& section,
+                                const std::vector<const StoredTrial*>& compared) {
+  std::vector<Text> lines;
+  if (matching_of(section) == nullptr || compared.empty()) return lines;
+  const std::vector<Measure>& measures = compared.back()->measures;
+  const auto recognition = value_in(measures, "recognition_time", "object");
+  const auto movement = value_in(measures, "movement_time", "object");
+  if (recognition && movement)
+    lines.push_back("Last trial: recognition %1 s, then movement %2 s"_text(fixed(*recognition, 1),
+                                                                            fixed(*movement, 1)));
+  std::vector<std::pair<double, Words>> began;
+  std::vector<Text> shares;
+  for (std::size_t link = 0; link < kArmLinkCount; ++link) {
+    const std::string_view channel = kArmLinkNames[link];
+    if (const auto t10 = value_in(measures, "rotation_t10", channel))
+      began.emplace_back(*t10, kLinkWords[link]);
+    if (const auto share = value_in(measures, "relative_rotation", channel))
+      shares.push_back("%1 %2"_text(kLinkWords[link], percent_words(*share)));
+  }
+  std::stable_sort(began.begin(), began.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Text> order;
+  for (const auto& [t10_s, link] : began) order.push_back("%1 %2 s"_text(link, fixed(t10_s, 2)));
+  if (order.size() > 1)
+    lines.push_back(
+        "Turned first to last (a tenth of the turn after the cue): %1"_text(listed(order)));
+  if (shares.size() > 1)
+    lines.push_back(
+        "Share of the turn when the forearm had 63 % of its own: %1"_text(listed(shares)));
   return lines;
 }
 

@@ -15,6 +15,12 @@ namespace isograsp::reports {
 [[nodiscard]] std::vector<Text> posture_lines(const TaskSection& section,
                                               const std::vector<const StoredTrial*>& compared);
 
+/// Of the last of the trials that are compared: recognition and movement apart, which link turned
+/// first, and the share of its turn that each had when the forearm had 63 % of its own. Describes:
+/// no more and no less of it is better. Empty: of another kind of task, or nothing was reached.
+[[nodiscard]] std::vector<Text> sharing_lines(const TaskSection& section,
+                                              const std::vector<const StoredTrial*>& compared);
+
 /// Of the last trial as it is drawn: in how many movements the upper arm moved, whether the device
 /// did, and that the trunk was not measured. Empty: of another kind of task, or nothing to say.
 [[nodiscard]] std::vector<Text> compensation_lines(const TaskSection& section);

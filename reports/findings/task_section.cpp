@@ -97,6 +97,7 @@ Result<TaskSection> make_section(const VerdictContext& context,
   }
   section.breaks = breaks_of(section, all);
   section.notes = posture_lines(section, compared);
+  for (Text& line : sharing_lines(section, compared)) section.notes.push_back(std::move(line));
   for (const auto& [why, which] : left_out)
     section.notes.push_back((which.size() == 1 ? "Session %1 not compared: %2"_text
                                                : "Sessions %1 not compared: %2"_text)(

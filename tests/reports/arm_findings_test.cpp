@@ -61,6 +61,31 @@ TEST(PostureLines, AreOfTasksWithPosturesOnly) {
   EXPECT_TRUE(compensation_lines(section).empty());
 }
 
+TEST(SharingLines, NameTheLinksInTheOrderInWhichTheyBeganAndKeepRecognitionApart) {
+  StoredTrial trial;
+  const auto add = [&](const char* name, const char* channel, double value) {
+    Measure measure;
+    measure.name = name;
+    measure.channel = channel;
+    measure.value = value;
+    trial.measures.push_back(measure);
+  };
+  add("recognition_time", "object", 0.61);
+  add("movement_time", "object", 1.42);
+  add("rotation_t10", "forearm", 0.75);
+  add("rotation_t10", "fingers", 0.5);
+  add("relative_rotation", "forearm", 0.63);
+  add("relative_rotation", "fingers", 0.2);
+  EXPECT_EQ(
+      said(sharing_lines(matching_section(), {&trial})),
+      (std::vector<std::string>{
+          "Last trial: recognition 0.6 s, then movement 1.4 s",
+          "Turned first to last (a tenth of the turn after the cue): fingers 0.50 s, forearm "
+          "0.75 s",
+          "Share of the turn when the forearm had 63 % of its own: forearm 63\u00a0%, fingers "
+          "20\u00a0%"}));
+}
+
 constexpr int kRows = 200;
 constexpr double kStep_s = 0.01;
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <thread>
 
+#include "session/library/arm_rules.hpp"
 #include "session/resting.hpp"
 #include "session/session_parts.hpp"
 
@@ -69,6 +70,8 @@ Result<void> Session::start_trial(const tasks::TaskSpec& spec, bool practice,
                   "wait another %1 s"_text(std::lround(std::ceil(wait_s))));
   if (auto ready = p.apparatus->ready(); !ready) return ready;
   if (auto fits = check_apparatus(spec.apparatus(), p.known.apparatus); !fits) return fits;
+  if (!practice)
+    if (auto assessed = check_assessment(spec); !assessed) return assessed;
   auto prepared = p.apparatus->make_trial(spec, p.known.next_context());
   if (!prepared) return prepared.error();
   auto setup = *std::move(prepared);

@@ -49,6 +49,9 @@ void add_range_of_arm(const PatientFacts& facts, PatientPicture& picture) {
 
 void say_of_object(const PatientFacts& facts, PatientPicture& picture) {
   if (is_lost(facts)) return say_to_show(picture);
+  if (facts.pause_cause == session::PauseCause::object_lost)
+    return say_of_arm(picture, ArmPictureTexts::tr("Take it in your hand again"),
+                      ArmPictureTexts::tr("It goes on by itself"));
   if (picture.matched)
     return say_of_arm(picture, ArmPictureTexts::tr("Well done"),
                       ArmPictureTexts::tr("Stay there until the next picture"));

@@ -151,7 +151,7 @@ enum class Situation : std::uint8_t {
   paused,
   paused_by_fault,
   let_go,        ///< the device works again, the hand does not rest yet
-  out_of_sight,  ///< the trial waits until the hand is seen again
+  goes_on_by_itself,  ///< the trial waits until the hand is seen, or holds the object, again
   starting,
   // Between trials.
   zero_refused,

@@ -20,7 +20,7 @@ bool has_zero(const FlowFacts& facts) {
 }
 
 bool may_go_on(const FlowFacts& facts) {
-  if (facts.pause_cause == session::PauseCause::occluded) return false;  // it does so by itself
+  if (session::goes_on_by_itself(facts.pause_cause)) return false;
   return facts.at_rest || (facts.pause_cause == session::PauseCause::therapist && has_zero(facts));
 }
 

@@ -66,7 +66,7 @@ Situation in_session(const FlowFacts& facts, DeviceCondition condition) {
     case session::Stage::zeroing: return Situation::zeroing;
     case session::Stage::trial: return Situation::in_trial;
     case session::Stage::paused:
-      if (facts.pause_cause == session::PauseCause::occluded) return Situation::out_of_sight;
+      if (session::goes_on_by_itself(facts.pause_cause)) return Situation::goes_on_by_itself;
       if (facts.pause_cause == session::PauseCause::therapist)
         return facts.start_posture || may_go_on(facts) ? Situation::paused : Situation::let_go;
       if (facts.start_posture) return Situation::paused_by_fault;  // nobody holds a device
@@ -142,7 +142,7 @@ Mood mood_of(Situation situation) {
     case Situation::choose_device:
     case Situation::connect:
     case Situation::paused:
-    case Situation::out_of_sight:
+    case Situation::goes_on_by_itself:
     case Situation::zero_refused:
     case Situation::zero_outdated:
     case Situation::zero_missing:

@@ -39,7 +39,7 @@ std::optional<Step> step_of(Situation situation, const FlowFacts& facts) {
     case Situation::paused:
     case Situation::paused_by_fault:
     case Situation::let_go:
-    case Situation::out_of_sight:
+    case Situation::goes_on_by_itself:
     case Situation::starting: return facts.task_rests && !facts.recorded ? Step::rest : Step::work;
     case Situation::pause:
     case Situation::next_by_itself:

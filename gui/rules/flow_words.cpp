@@ -212,7 +212,7 @@ QString words_in_session(Situation situation, const FlowFacts& facts, const Flow
     case Situation::in_trial:
       return FlowTexts::tr("Recording: %1.").arg(translated(facts.task_name));
     case Situation::paused: return FlowTexts::tr("Paused. Resume when the patient is ready.");
-    case Situation::out_of_sight:
+    case Situation::goes_on_by_itself:
     case Situation::paused_by_fault: return translated(session::words_of(facts.pause_cause));
     case Situation::let_go:
       return FlowTexts::tr(

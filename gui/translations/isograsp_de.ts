@@ -918,6 +918,10 @@
         <source>For a moment, in the start posture</source>
         <translation>Einen Moment, in der Ausgangshaltung</translation>
     </message>
+    <message>
+        <source>Take it in your hand again</source>
+        <translation>Nehmen Sie es wieder in die Hand</translation>
+    </message>
 </context>
 <context>
     <name>Posture</name>

@@ -918,6 +918,10 @@
         <source>For a moment, in the start posture</source>
         <translation>Un instant, dans la posture de départ</translation>
     </message>
+    <message>
+        <source>Take it in your hand again</source>
+        <translation>Reprenez l’objet en main</translation>
+    </message>
 </context>
 <context>
     <name>Posture</name>

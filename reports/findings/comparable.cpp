@@ -8,7 +8,6 @@
 #include "core/time.hpp"
 #include "hand/platform_records.hpp"
 #include "kinematics/pose_task.hpp"
-#include "tasks/task_spec.hpp"
 
 namespace isograsp::reports {
 
@@ -19,9 +18,14 @@ VisualGain gain_of(const storage::References& references) {
           storage::value_of(references, platform::kMaximumForce_N)};
 }
 
-bool is_of_an_arm(const storage::TrialRecord& trial) {
-  const auto task = tasks::parse_task(trial.task_text, "");
-  return task && task->apparatus() == kArm;
+/// "qtm" of "qtm://HOST"; the rest says where, not what they are.
+std::string cameras_of(const std::string& uri) {
+  return uri.substr(0, uri.find("://"));
+}
+
+/// Cameras have a rig where sensors have their calibration.
+bool is_of_an_arm(const storage::SessionRecord& session) {
+  return session.calibration.find("isograsp-rig-1") != std::string::npos;
 }
 
 }  // namespace
@@ -51,14 +55,16 @@ Conditions conditions_of(const StoredTrial& trial) {
   const storage::SessionRecord& session = *trial.session_record;
   return {session.rate_Hz, session.device_delay_s, session.display_delay_s,
           gain_of(trial.trial.references),
-          is_of_an_arm(trial.trial)
-              ? ArmConditions{session.calibration, lasting_scene(trial.trial.scene_text)}
+          is_of_an_arm(session)
+              ? ArmConditions{session.calibration, cameras_of(session.device_uri),
+                              lasting_scene(trial.trial.scene_text)}
               : ArmConditions{}};
 }
 
 Conditions conditions_of(const storage::PooledValue& value) {
   return {value.rate_Hz, value.device_delay_s, value.display_delay_s, gain_of(value.references),
-          ArmConditions{value.calibration, lasting_scene(value.scene_text)}};
+          ArmConditions{value.calibration, cameras_of(value.device_uri),
+                        lasting_scene(value.scene_text)}};
 }
 
 Text difference(const Conditions& a, const Conditions& b) {
@@ -70,6 +76,7 @@ Text difference(const Conditions& a, const Conditions& b) {
   if (!are_tied(a.rate_Hz, b.rate_Hz)) return "other frame rate"_text;
   if (!same_gain(a.gain, b.gain)) return "other visual gain"_text;
   if (a.arm.rig != b.arm.rig) return "other rig of markers"_text;
+  if (a.arm.cameras != b.arm.cameras) return "other system of cameras"_text;
   if (a.arm.postures != b.arm.postures) return "other postures"_text;
   return {};
 }

@@ -26,6 +26,7 @@ struct VisualGain {
 /// the arm of each day: what they come from is compared, not they.
 struct ArmConditions {
   std::string rig;       ///< its file; empty: forces were measured
+  std::string cameras;   ///< how they are reached, "qtm": another system sees otherwise
   std::string postures;  ///< hash of their file; empty: the task shows no reference
   bool operator==(const ArmConditions&) const = default;
 };

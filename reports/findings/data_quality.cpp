@@ -233,7 +233,11 @@ QualityLine fault_line(const std::vector<storage::EventRecord>& events) {
   const Text of_pauses = pauses == 0   ? Text("no pause"_text)
                          : pauses == 1 ? Text("1 pause"_text)
                                        : "%1 pauses"_text(pauses);
-  Text text = listed({of_device, of_pauses});
+  std::vector<Text> counts{of_device, of_pauses};
+  const auto lost = of_kind("object_lost");
+  if (lost == 1) counts.emplace_back("object lost from the hand once"_text);
+  if (lost > 1) counts.emplace_back("object lost from the hand %1 times"_text(lost));
+  Text text = listed(counts);
   for (const auto& event : events)
     if (event.kind == "fault" && !event.text.empty()) {
       text = apart({text, "first: %1"_text(Known{event.text})});

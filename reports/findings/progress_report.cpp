@@ -8,6 +8,7 @@
 
 #include "core/date.hpp"
 #include "hand/arm_columns.hpp"
+#include "reports/findings/arm_findings.hpp"
 #include "reports/findings/comparable.hpp"
 #include "reports/findings/data_quality.hpp"
 #include "reports/findings/patient_records.hpp"
@@ -64,6 +65,7 @@ DrawnTrial drawn(storage::SessionStore& store, const StoredTrial& trial,
 void add_drawn_trials(storage::SessionStore& store, const std::vector<const StoredTrial*>& all,
                       TaskSection& section) {
   if (counts(all.back()->trial)) section.last = drawn(store, *all.back(), section);
+  for (Text& line : compensation_lines(section)) section.notes.push_back(std::move(line));
   const auto [best, worst] = extremes_of(section, all);
   if (best == nullptr) return;
   section.best = drawn(store, *best, section);

@@ -114,7 +114,8 @@ struct TaskSection {
   std::optional<DrawnTrial> best;  ///< of a force task, by its first key measure
   std::optional<DrawnTrial> worst;
   std::vector<SeriesBreak> breaks;  ///< oldest first
-  std::vector<Text> notes;          ///< what was left out and why
+  /// Of an arm each posture and what the body did; what was left out and why.
+  std::vector<Text> notes;
 };
 
 struct QualityLine {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/ties.hpp"
+#include "reports/findings/arm_findings.hpp"
 #include "reports/findings/comparable.hpp"
 #include "reports/findings/series_trend.hpp"
 #include "tasks/facts/measure_words.hpp"
@@ -95,6 +96,8 @@ Result<TaskSection> make_section(const VerdictContext& context,
       compared.push_back(entry);
   }
   section.breaks = breaks_of(section, all);
+  section.notes = posture_lines(section, compared);
+  for (Text& line : sharing_lines(section, compared)) section.notes.push_back(std::move(line));
   for (const auto& [why, which] : left_out)
     section.notes.push_back((which.size() == 1 ? "Session %1 not compared: %2"_text
                                                : "Sessions %1 not compared: %2"_text)(

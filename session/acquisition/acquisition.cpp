@@ -91,14 +91,17 @@ void Acquisition::prepare() noexcept {
 }
 
 void Acquisition::guard(Reception::Sight sight) noexcept {
-  const bool out_of_sight = now_.stage == Stage::paused && now_.pause_cause == PauseCause::occluded;
+  const bool by_itself = now_.stage == Stage::paused && goes_on_by_itself(now_.pause_cause);
   if (sight == Reception::Sight::clear) {
-    if (out_of_sight ||
+    if (by_itself ||
         (now_.stage == Stage::paused && is_fault(now_.pause_cause) && apparatus_.info().recorded))
       resume();
   } else if (sight == Reception::Sight::occluded) {
     if (now_.stage == Stage::trial) pause(PauseCause::occluded);
-  } else if (now_.stage == Stage::trial || out_of_sight) {
+  } else if (sight == Reception::Sight::let_go) {
+    if (now_.stage == Stage::trial || (by_itself && now_.pause_cause != PauseCause::object_lost))
+      pause(PauseCause::object_lost);
+  } else if (now_.stage == Stage::trial || by_itself) {
     pause(apparatus_.fault().number == 0 ? PauseCause::missing_samples : PauseCause::device_fault);
   }
 }
@@ -148,9 +151,10 @@ void Acquisition::pause(PauseCause cause) noexcept {
   item_.pauses = is_fault(cause);
   item_.told_before = fault.number != 0 && fault.number == told_fault_;
   if (fault.number != 0) told_fault_ = fault.number;
-  push_event(item_.pauses                    ? kFaultEvent
-             : cause == PauseCause::occluded ? "occluded"
-                                             : "pause",
+  push_event(item_.pauses                       ? kFaultEvent
+             : cause == PauseCause::occluded    ? "occluded"
+             : cause == PauseCause::object_lost ? kObjectLostEvent
+                                                : "pause",
              (fault.number != 0 ? fault.words : words_of(cause)));
   item_.pauses = item_.told_before = false;
 }

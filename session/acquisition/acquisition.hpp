@@ -14,6 +14,8 @@ namespace isograsp::session {
 
 /// RecordItem::event_kind of a fault of the device, in a trial or between two.
 inline constexpr const char* kFaultEvent = "fault";
+/// … of a trial that stands still because the object has left the hand.
+inline constexpr const char* kObjectLostEvent = "object_lost";
 
 /// What goes to the recorder, in order.
 struct RecordItem {

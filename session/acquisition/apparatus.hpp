@@ -50,6 +50,7 @@ struct Reception {
   enum class Sight : std::uint8_t {
     clear,     ///< all that matters is there, or stands in for a moment
     occluded,  ///< the device works and does not see what it measures
+    let_go,    ///< it sees that the object has left the hand: no failure, and no time passes
     lost       ///< samples do not come any more
   };
   bool gap = false;  ///< a part of it is missing

@@ -21,6 +21,8 @@ Words words_of(PauseCause cause) noexcept {
       return "Paused: the device has a fault. Mend it, check the zero, then resume."_text;
     case PauseCause::occluded:
       return "Out of sight: turn towards the cameras. The trial goes on by itself."_text;
+    case PauseCause::object_lost:
+      return "The object has left the hand: give it back. The trial goes on by itself."_text;
   }
   return ""_text;
 }

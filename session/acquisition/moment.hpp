@@ -21,9 +21,20 @@ enum class Stage : std::uint8_t {
 };
 [[nodiscard]] std::string_view name_of(Stage stage) noexcept;
 
-/// `occluded`: what is measured is out of sight, which happens often with cameras: the trial
-/// goes on by itself. The others are resumed by the therapist.
-enum class PauseCause : std::uint8_t { none, therapist, missing_samples, device_fault, occluded };
+/// `occluded`: what is measured is out of sight, which happens often with cameras; `object_lost`:
+/// what the person held has left the hand. The trial goes on by itself when it is seen, or held,
+/// again. The others are resumed by the therapist.
+enum class PauseCause : std::uint8_t {
+  none,
+  therapist,
+  missing_samples,
+  device_fault,
+  occluded,
+  object_lost
+};
+[[nodiscard]] constexpr bool goes_on_by_itself(PauseCause cause) noexcept {
+  return cause == PauseCause::occluded || cause == PauseCause::object_lost;
+}
 /// One plain sentence: why the trial stands still and what to do. Static text.
 [[nodiscard]] Words words_of(PauseCause cause) noexcept;
 /// The device is in the way, and the therapist is asked.

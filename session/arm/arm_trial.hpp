@@ -34,6 +34,9 @@ class ArmTrial final : public TrialSetup {
   };
   std::optional<Asked> asked;
   MarkerHealth health;  ///< at its end
+  /// From the back of the hand to the object in the start posture; nothing: the task is not about
+  /// the object.
+  std::optional<double> hand_to_object_m;
 };
 
 }  // namespace isograsp::session

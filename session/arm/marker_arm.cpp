@@ -141,6 +141,7 @@ Result<std::unique_ptr<TrialSetup>> MarkerArm::make_trial(const tasks::TaskSpec&
   auto task = tasks::make_task(spec, of_this_arm);
   if (!task) return task.error();
   auto trial = std::make_unique<ArmTrial>();
+  if (of_this_arm.arm) trial->hand_to_object_m = of_this_arm.arm->start.X_L.back().p.norm();
   trial->spec = spec;
   trial->task = *std::move(task);
   trial->markers = marker_columns(sight_->recorded());
@@ -205,10 +206,13 @@ Reception MarkerArm::receive() noexcept {
     now_.last_X_WO = object.X_W;
   }
   now_.unseen_s = t_s - last_seen_s_;
+  held_.see(now_.segment(ArmSegment::dorsum).X_W, now_.segment(ArmSegment::object).X_W);
   Reception reception;
   reception.gap = !now_.picture;
   if (outlasts_a_stand_in(t_s - last_picture_s_))
     reception.sight = Reception::Sight::lost;
+  else if (held_.is_lost())
+    reception.sight = Reception::Sight::let_go;
   else if (sight_matters() && outlasts_a_stand_in(now_.unseen_s))
     reception.sight = Reception::Sight::occluded;
   return reception;
@@ -219,12 +223,17 @@ void MarkerArm::begin(TrialSetup& setup) noexcept {
   trial_rows_ = 0;
   now_.special = {};
   now_.angle = {.shown = trial_->asked.has_value()};
+  if (trial_->hand_to_object_m)
+    held_.begin(*trial_->hand_to_object_m, info_.period_s);
+  else
+    held_.end();
 }
 
 void MarkerArm::end(TrialSetup&) noexcept {
   trial_->health = now_.health;
   trial_ = nullptr;
   now_.angle = {};
+  held_.end();
 }
 
 void MarkerArm::step() noexcept {

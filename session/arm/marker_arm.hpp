@@ -15,6 +15,7 @@
 #include "session/arm/arm_sight.hpp"
 #include "session/arm/arm_snapshot.hpp"
 #include "session/arm/arm_trial.hpp"
+#include "session/arm/held_object.hpp"
 #include "session/arm/picture_reader.hpp"
 #include "session/arm/start_posture.hpp"
 
@@ -93,6 +94,7 @@ class MarkerArm final : public Apparatus {
 
   Latest<ArmSnapshot> snapshots_;
   ArmSnapshot now_;                        ///< the state that is published
+  HeldObject held_;                        ///< in the running trial
   std::optional<StartPostureMean> start_;  ///< nothing: not measured yet
   ArmTrial* trial_ = nullptr;
 };

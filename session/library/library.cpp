@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "core/csv.hpp"
+#include "session/library/arm_rules.hpp"
 #include "tasks/waveform.hpp"
 
 namespace isograsp::session {
@@ -159,6 +160,7 @@ Result<ReadyProtocol> read_protocol(std::string_view text, const std::string& pa
   if (!spec) return spec.error();
   ReadyProtocol ready{std::move(*spec), {}};
   if (auto read = ProtocolReader(ready, library).read(); !read) return read.error();
+  if (auto good = check_arm_rules(ready.spec, ready.tasks); !good) return good.error();
   return ready;
 }
 

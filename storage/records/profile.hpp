@@ -111,7 +111,7 @@ struct PoolQuery {
   std::string task_name;
   int task_version = 1;
   std::string task_text;
-  /// Nothing: of any; the reader compares PooledValue::scene_text and calibration, as references of
+  /// Nothing: of any; the reader compares what PooledValue tells of them, as references of
   /// an arm differ from day to day.
   std::optional<std::string> scene_text;
   std::string measure;
@@ -140,6 +140,7 @@ struct PooledValue {
   References references;        ///< of the trial
   std::string scene_text;       ///< of the trial, where the query names none; else empty
   std::string calibration;      ///< of the session, likewise
+  std::string device_uri;       ///< of the session, likewise
   std::optional<double> value;  ///< nothing: the trial has none
   int measure_version = 1;      ///< of the stored value: that of the query, or an older one
 };

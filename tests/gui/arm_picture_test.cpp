@@ -185,6 +185,16 @@ TEST(ArmPicture, OutOfSightTheObjectStaysPaleAndThePatientIsToldWhatToDoNotThatT
   EXPECT_EQ(picture_for(facts_of(now, "arm_screw.toml")).notice, PatientPicture::Notice::fault);
 }
 
+TEST(ArmPicture, AnObjectThatLeftTheHandIsToBeTakenUpAgainAndIsNobodysFault) {
+  session::ArmSnapshot now = in_trial();
+  now.stage = session::Stage::paused;
+  now.pause_cause = session::PauseCause::object_lost;
+  const PatientPicture picture = picture_for(facts_of(now, "arm_screw.toml"));
+  EXPECT_EQ(picture.notice, PatientPicture::Notice::none);
+  EXPECT_TRUE(picture.object_shown);
+  EXPECT_NE(picture.headline.find("in your hand again"), std::string::npos) << picture.headline;
+}
+
 TEST(ArmPicture, AnObjectThatWasNeverSeenIsNotDrawnAnywhere) {
   session::ArmSnapshot now = in_trial();
   now.segments[index_of(ArmSegment::object)] = {};

@@ -421,7 +421,7 @@ TEST(Flow, OutOfSightIsNoFaultAndTheTrialGoesOnByItself) {
   for (const bool at_rest : {false, true}) {
     facts.at_rest = at_rest;
     const FlowView view = decide(facts);
-    EXPECT_EQ(view.situation, Situation::out_of_sight);
+    EXPECT_EQ(view.situation, Situation::goes_on_by_itself);
     EXPECT_EQ(view.device_mood, Mood::ready) << "the device works";
     EXPECT_EQ(view.mood, Mood::attention);
     EXPECT_NE(view.sentence.find("goes on by itself"), std::string::npos) << view.sentence;

@@ -54,7 +54,8 @@ void stages(FlowFacts& facts, const std::function<void()>& then) {
   }
   facts.stage = session::Stage::paused;
   for (const auto cause : {session::PauseCause::therapist, session::PauseCause::missing_samples,
-                           session::PauseCause::device_fault, session::PauseCause::occluded})
+                           session::PauseCause::device_fault, session::PauseCause::occluded,
+                           session::PauseCause::object_lost})
     for (const bool at_rest : {false, true}) {
       facts.pause_cause = cause;
       facts.at_rest = at_rest;
@@ -204,8 +205,8 @@ const char* disagreement(const FlowFacts& facts, const FlowView& view) {
   if (begins && view.device_mood == Mood::fault) return "Start with a fault";
   if (begins && !facts.anything_arrived) return "Start without samples";
   if (begins && view.may_stop) return "Start in a trial";
-  if (view.may_resume && facts.pause_cause == session::PauseCause::occluded)
-    return "Resume while the hand is out of sight";
+  if (view.may_resume && session::goes_on_by_itself(facts.pause_cause))
+    return "Resume of what goes on by itself";
   if (view.may_resume && !fresh_zero && !facts.at_rest)
     return "Resume with a zero older than a restart, and not from rest";
   const bool rest = facts.task_chosen && facts.task_rests && !facts.recorded;

@@ -80,7 +80,7 @@ TEST_F(HandleInWindows, HasItsOwnStepsAndOutOfSightItsTrialWaitsWithoutAFault) {
   EXPECT_FALSE(is_there(Step::rest));
   EXPECT_EQ(view().next(), Step::work) << view().sentence;
   operator_.press("start");
-  ASSERT_TRUE(wait_until([&] { return view().situation == Situation::out_of_sight; }))
+  ASSERT_TRUE(wait_until([&] { return view().situation == Situation::goes_on_by_itself; }))
       << view().sentence;
   EXPECT_NE(view().mood, Mood::fault);
   EXPECT_EQ(view().device_mood, Mood::ready);

@@ -91,12 +91,12 @@ StoredTrial arm_trial(const storage::SessionRecord& session, const std::string& 
 
 TEST(Conditions, OfAnArmReferencesMayBeAdaptedToEachDayButRigAndPosturesStayTheSame) {
   storage::SessionRecord session;
-  session.calibration = "the rig";
+  session.calibration = "format = \"isograsp-rig-1\"\n";
   const StoredTrial first = arm_trial(session, "0a1b", 0.1);
   EXPECT_EQ(english(difference(first, arm_trial(session, "0a1b", 0.2))), "");
   EXPECT_EQ(english(difference(first, arm_trial(session, "2c3d", 0.1))), "other postures");
   storage::SessionRecord other = session;
-  other.calibration = "another rig";
+  other.calibration += "name = \"another\"\n";
   EXPECT_EQ(english(difference(first, arm_trial(other, "0a1b", 0.1))), "other rig of markers");
   EXPECT_FALSE(pool_query(first, {}).scene_text) << "the reader compares what references come from";
 }

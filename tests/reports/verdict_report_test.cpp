@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "kinematics/pose_task.hpp"
 #include "reports/findings/comparable.hpp"
 #include "reports/findings/patient_verdicts.hpp"
 #include "reports/findings/progress_report.hpp"
@@ -46,7 +47,23 @@ struct Assessed {
   std::string time = "09:30:00";
   std::string measure = "maximum_force";
   int without_value = 0;  ///< trials more
+  std::string rig = {};   ///< of an arm seen by markers
+  std::string postures = "0a";
+  std::string uri = "can://can0";
 };
+
+/// References of an arm, adapted to one start posture.
+std::string references_of(const std::string& postures, storage::RowId session) {
+  PoseTask task;
+  task.frame = "object";
+  task.postures_hash = postures;
+  task.references = {
+      {"turned", {Vec3(0.01 * static_cast<double>(session), 0.0, 0.0), Quat::Identity()}}};
+  task.targets = {0};
+  task.position_tolerance_m = task.angle_tolerance_rad = 0.1;
+  task.time_limit_s = 10.0;
+  return pose_task_text(task);
+}
 
 class VerdictReport : public testing::Test {
  protected:
@@ -71,7 +88,8 @@ class VerdictReport : public testing::Test {
     session.patient_id = patient;
     session.started_utc = what.date + "T" + what.time + "Z";
     session.hand = what.hand;
-    session.device_uri = "can://can0";
+    session.device_uri = what.uri;
+    session.calibration = what.rig;
     session.simulated = what.simulated;
     session.rate_Hz = 100.0;
     const storage::RowId id = must(store_->begin_session(session));
@@ -85,6 +103,8 @@ class VerdictReport : public testing::Test {
       trial.task_name = "Maximum grip";
       trial.task_version = what.task_version;
       trial.task_text = library_task_text(what.task_file) + what.task_suffix;
+      if (!what.rig.empty())  // references of an arm are those of its start posture: never the same
+        trial.scene_text = references_of(what.postures, id);
       trial.references["maximum_force_N"] = what.maximum_force_N;
       trial.groups = {{"task", {"t_s", "actual_force_N"}}};
       trial.id = must(store_->begin_trial(trial));
@@ -209,6 +229,62 @@ TEST_F(VerdictReport, OtherHandsSourcesVersionsAndParametersDoNotCount) {
   EXPECT_EQ(verdict().people, 0) << "other parameters";
   add_stable(4, {"", {}, Hand::right}, storage::Side::right);
   EXPECT_EQ(verdict().people, 4) << "the affected hand, whichever it is";
+}
+
+/// An arm before cameras of Qualisys, the rig and postures that are named.
+Assessed arm_day(const std::string& date, double value) {
+  Assessed day{date, {value}};
+  day.rig = "format = \"isograsp-rig-1\"\nname = \"a\"\n";
+  day.uri = "qtm://10.0.0.7?rig=a";
+  return day;
+}
+
+TEST_F(VerdictReport, AnArmIsComparedThoughItsReferencesAreThoseOfEachStartPosture) {
+  const storage::RowId patient = person("P-7");
+  choose(patient);
+  for (const auto& [date, value] :
+       {std::pair{"2026-03-02", 10.0}, {"2026-03-09", 10.0}, {"2026-03-16", 30.0}})
+    assess(patient, arm_day(date, value));
+  add_stable(12, arm_day("", 0.0));
+  const auto content = must(gather_progress(*store_, "P-7"));
+  ASSERT_EQ(content.sections.size(), 1u);
+  EXPECT_TRUE(content.sections[0].breaks.empty());
+  const auto& verdict = content.sections[0].series[0].verdict;
+  ASSERT_TRUE(verdict);
+  EXPECT_EQ(verdict->people, 12);
+  EXPECT_EQ(english(verdict->reason), "");
+}
+
+TEST_F(VerdictReport, AnotherRigPosturesCamerasOrToleranceBeginANewSeriesOfAnArm) {
+  Assessed rig = arm_day("2026-03-09", 10.0);
+  rig.rig += "max_residual_m = 0.02\n";
+  Assessed postures = arm_day("2026-03-09", 10.0);
+  postures.postures = "0b";
+  Assessed cameras = arm_day("2026-03-09", 10.0);
+  cameras.uri = "natnet://10.0.0.7?rig=a";
+  Assessed tolerance = arm_day("2026-03-09", 10.0);
+  tolerance.task_suffix = "\n# position_tolerance_m = 0.03\n";
+  int number = 0;
+  for (const auto& [other, why] : {std::pair{rig, "other rig of markers"},
+                                   {postures, "other postures"},
+                                   {cameras, "other system of cameras"},
+                                   {tolerance, "other task parameters"}}) {
+    const std::string code = "Q-" + std::to_string(++number);
+    const storage::RowId patient = person(code);
+    assess(patient, arm_day("2026-03-02", 10.0));
+    assess(patient, other);
+    const auto content = must(gather_progress(*store_, code));
+    ASSERT_EQ(content.sections.size(), 1u) << why;
+    ASSERT_EQ(content.sections[0].breaks.size(), 1u) << why;
+    EXPECT_EQ(english(content.sections[0].breaks[0].reason), why);
+    EXPECT_EQ(english(content.sections[0].notes.at(0)),
+              std::string("Session 1 not compared: ") + why);
+    EXPECT_EQ(content.sections[0].series.at(0).values.size(), 1u) << why;
+    // Nor do stable people who were measured in the former way stand in its pool.
+    choose(patient);
+    add_stable(3, arm_day("", 0.0));
+    EXPECT_EQ(must(gather_progress(*store_, code)).sections[0].series[0].verdict->people, 0) << why;
+  }
 }
 
 TEST_F(VerdictReport, NobodyIsJudgedByTheirOwnVariation) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A session with an arm seen by markers: what is seen, what stands in, what freezes, what is a
 // fault, and that live, stored and later scores are the same numbers.
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -15,6 +16,7 @@
 #include "kinematics/pose_task.hpp"
 #include "session/acquisition/acquisition.hpp"
 #include "session/arm/marker_arm.hpp"
+#include "session/library/arm_rules.hpp"
 #include "session/session.hpp"
 #include "tasks/score.hpp"
 #include "tests/support/every.hpp"
@@ -124,6 +126,11 @@ struct Bench {
   void hide_object(std::span<Vec3> p_W) {
     for (const char* name : {"O1", "O2", "O3", "O4", "O5", "O6"})
       p_W[cameras_->label(name)] = unseen_marker();
+  }
+  /// As it falls, or is put down.
+  void take_object_away(std::span<Vec3> p_W, double by_m) {
+    for (const char* name : {"O1", "O2", "O3", "O4", "O5", "O6"})
+      p_W[cameras_->label(name)].x() += by_m;
   }
   PreparationOutcome take_start_posture(int frames = 110) {
     preparation_ = test::must(apparatus().make_preparation({}));
@@ -355,6 +362,121 @@ TEST_F(Arm, SilenceIsAFaultAndWaitsForTheTherapist) {
   tick(2);
   EXPECT_EQ(now().stage, Stage::trial);
   EXPECT_EQ(told().events, (std::vector<std::string>{"fault", "resume"}));
+}
+
+/// Beyond the 80 mm wherever the hand is.
+constexpr double kOnTheFloor_m = 0.5;
+
+TEST_F(Arm, AnObjectThatLeavesTheHandIsLostAndNoTimePassesUntilItIsBack) {
+  ASSERT_TRUE(take_start_posture().accepted);
+  begin();
+  tick(10);
+  (void)told();
+  bool away = true;
+  bool hidden = false;
+  cameras_->script = [&](std::int64_t, std::span<Vec3> p_W) {
+    if (away) take_object_away(p_W, kOnTheFloor_m);
+    if (hidden) hide_object(p_W);
+    return true;
+  };
+  tick(19);
+  EXPECT_EQ(now().stage, Stage::trial) << "a moment may be a marker that is wrong";
+  tick(1);
+  EXPECT_EQ(now().stage, Stage::paused);
+  EXPECT_EQ(now().pause_cause, PauseCause::object_lost);
+  EXPECT_FALSE(is_fault(now().pause_cause));
+  const double stopped_s = now().task.task_time_s;
+  const int target = now().task.target_index;
+  tick(300);  // longer than the time limit of a target
+  hidden = true;
+  tick(30);
+  EXPECT_EQ(now().pause_cause, PauseCause::object_lost) << "unseen it is not back";
+  hidden = false;
+  away = false;
+  tick(1);
+  EXPECT_EQ(now().stage, Stage::trial);
+  EXPECT_EQ(now().task.target_index, target) << "no time-out";
+  EXPECT_NEAR(now().task.task_time_s, stopped_s, kLongestStandIn_s + 2 * kPeriod_s);
+  const Told all = told();
+  EXPECT_EQ(all.events, (std::vector<std::string>{"object_lost", "resume"}));
+}
+
+TEST_F(Arm, AnObjectThatWasNotYetInTheHandOrIsNearIsNotLost) {
+  ASSERT_TRUE(take_start_posture().accepted);
+  double by_m = kOnTheFloor_m;
+  cameras_->script = [&](std::int64_t, std::span<Vec3> p_W) {
+    take_object_away(p_W, by_m);
+    return true;
+  };
+  begin();
+  tick(60);
+  EXPECT_EQ(now().stage, Stage::trial) << "it lies on the table";
+  by_m = 0.0;
+  tick(5);
+  by_m = 0.04;
+  tick(60);
+  EXPECT_EQ(now().stage, Stage::trial) << "fingers move it so far";
+}
+
+TEST_F(Arm, TheScoreIsThatOfTheTaskThoughTheObjectWasLost) {
+  ASSERT_TRUE(take_start_posture().accepted);
+  begin();
+  cameras_->script = [&](std::int64_t number, std::span<Vec3> p_W) {
+    if (number % 150 > 60) take_object_away(p_W, kOnTheFloor_m);
+    return true;
+  };
+  int live_reached = 0;
+  while (now().stage != Stage::idle || now().frames < 130) {
+    tick();
+    live_reached = std::max(live_reached, now().task.targets_reached);
+    ASSERT_LT(now().frames, 4000) << "the task does not end";
+  }
+  const Told all = told();
+  EXPECT_GT(std::count(all.events.begin(), all.events.end(), "object_lost"), 1);
+  const auto measures = tasks::score(task(), signals(all));
+  EXPECT_EQ(measure(measures, "targets_reached").value, static_cast<double>(live_reached));
+  EXPECT_FALSE(measure(measures, "completion_time", "target_2").value);
+}
+
+TEST(Assessment, OfAnArmHoldsEachReferenceForThreeTenthsOfASecond) {
+  const auto with_hold = [](const std::string& hold_s) {
+    return test::must(tasks::parse_task(
+        "format = \"isograsp-task-1\"\nname = \"Turn\"\ninstruction = \"Turn it.\"\n"
+        "kind = \"pose_matching\"\npostures = \"screw\"\nsequence = [\"screw\"]\nhold_s = " +
+            hold_s + "\n",
+        "turn.toml"));
+  };
+  EXPECT_TRUE(check_assessment(with_hold("0.3")));
+  const auto refused = check_assessment(with_hold("0.29"));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().field, "hold_s");
+  EXPECT_EQ(refused.error().file, "turn.toml");
+}
+
+/// The library's protocol with one thing changed.
+Result<ReadyProtocol> protocol_with(const std::string& former, const std::string& now) {
+  const std::string path = kLibrary + "/protocols/arm_assessment.toml";
+  std::string text = test::must(read_text(path));
+  const std::size_t at = text.rfind(former);
+  EXPECT_NE(at, std::string::npos) << former;
+  return read_protocol(text.replace(at, former.size(), now), path, kLibrary);
+}
+
+TEST(DoseOfAnArm, IsFourMovementsThenRestAMinuteBetweenBlocksAndAQuarterOfAnHourAtWorst) {
+  EXPECT_TRUE(protocol_with("repetitions = 3", "repetitions = 3"));
+  const auto too_long = protocol_with("repetitions = 3", "repetitions = 8");
+  ASSERT_FALSE(too_long);
+  EXPECT_NE(too_long.error().message().find("minutes at worst"), std::string::npos);
+  const auto no_rest = protocol_with("repetitions = 3\nrest_s = 60", "repetitions = 3\nrest_s = 9");
+  ASSERT_FALSE(no_rest);
+  EXPECT_EQ(no_rest.error().field, "rest_s");
+  const auto blocks = protocol_with("practice = true\nrest_s = 60", "practice = true\nrest_s = 59");
+  ASSERT_FALSE(blocks);
+  EXPECT_NE(blocks.error().message().find("59 s only"), std::string::npos);
+  EXPECT_TRUE(protocol_with("practice = true\nrest_s = 60",
+                            "practice = true\nrest_s = 50\n[[step]]\nkind = \"pause\"\n"
+                            "duration_s = 10"))
+      << "a pause is rest";
 }
 
 TEST_F(Arm, LostPicturesLeaveEmptyRowsAtTheirOwnTimes) {

@@ -150,7 +150,7 @@ enum class Situation : std::uint8_t {
   in_trial,
   paused,
   paused_by_fault,
-  let_go,        ///< the device works again, the hand does not rest yet
+  let_go,             ///< the device works again, the hand does not rest yet
   goes_on_by_itself,  ///< the trial waits until the hand is seen, or holds the object, again
   starting,
   // Between trials.

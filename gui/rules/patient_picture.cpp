@@ -277,8 +277,7 @@ void add_notice(const PatientFacts& facts, PatientPicture& picture) {
     picture.notice_words =
         PictureTexts::tr("The device needs help. You did nothing wrong. Relax your hand.")
             .toStdString();
-  } else if (paused &&
-             !(facts.arm != nullptr && session::goes_on_by_itself(facts.pause_cause))) {
+  } else if (paused && !(facts.arm != nullptr && session::goes_on_by_itself(facts.pause_cause))) {
     picture.notice = Notice::pause;
     picture.notice_words = PictureTexts::tr("Pause. Relax your hand.").toStdString();
   }

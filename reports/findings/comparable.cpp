@@ -55,10 +55,9 @@ Conditions conditions_of(const StoredTrial& trial) {
   const storage::SessionRecord& session = *trial.session_record;
   return {session.rate_Hz, session.device_delay_s, session.display_delay_s,
           gain_of(trial.trial.references),
-          is_of_an_arm(session)
-              ? ArmConditions{session.calibration, cameras_of(session.device_uri),
-                              lasting_scene(trial.trial.scene_text)}
-              : ArmConditions{}};
+          is_of_an_arm(session) ? ArmConditions{session.calibration, cameras_of(session.device_uri),
+                                                lasting_scene(trial.trial.scene_text)}
+                                : ArmConditions{}};
 }
 
 Conditions conditions_of(const storage::PooledValue& value) {

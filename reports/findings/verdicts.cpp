@@ -75,9 +75,11 @@ Result<ChangeVerdict> judge(const VerdictContext& context, const storage::Primar
   const auto query = pool_query(like, series);
   auto values = renewed_values(context.renewal, query, context.store.stable_values(query));
   if (!values) return values.error();
-  // A person's own variation is no part of what they are judged with.
+  // A person's own variation is no part of what they are judged with, nor are arms that other rigs
+  // and postures measured.
+  const ArmConditions arm = conditions_of(like).arm;
   std::erase_if(*values, [&](const storage::PooledValue& value) {
-    return value.patient_id == like.session_record->patient_id;
+    return value.patient_id == like.session_record->patient_id || conditions_of(value).arm != arm;
   });
   const auto stable =
       stable_days(*values, *hand_status(context.profile.affected, section.hand), words.censored);

@@ -39,11 +39,7 @@ Result<void> check_rests(const tasks::ProtocolSpec& protocol,
                      "rest for %1 s or more"_text(shortest(kBetweenBlocks_s)))
           .at(protocol.file)
           .about("rest_s");
-    if (step.rest_s < kHandDown_s)
-      return refused("does not let the hand be put down after its movements"_text,
-                     "write rest_s = %1 or more"_text(shortest(kHandDown_s)))
-          .at(protocol.file)
-          .about("rest_s");
+    int on_end = 0;  // movements of all trials, where they do not let the hand be put down
     for (const tasks::TaskSpec& task : tasks[i]) {
       if (!has_postures(task)) continue;
       if (task.repetitions() > kMostMovements)
@@ -52,9 +48,15 @@ Result<void> check_rests(const tasks::ProtocolSpec& protocol,
                        "at most %1, then rest; repeat the task"_text(kMostMovements))
             .at(protocol.file)
             .about("task");
+      on_end += step.repetitions * task.repetitions();
       if (step.practice || step.adaptive) continue;
       if (auto assessed = check_assessment(task); !assessed) return assessed;
     }
+    if (step.rest_s < kHandDown_s && on_end > kMostMovements)
+      return refused("does not let the hand be put down after %1 movements"_text(kMostMovements),
+                     "write rest_s = %1 or more"_text(shortest(kHandDown_s)))
+          .at(protocol.file)
+          .about("rest_s");
     rested_s = step.rest_s;
   }
   return {};

@@ -181,7 +181,8 @@ Result<std::vector<PooledValue>> SqliteStore::pooled_values(const PoolQuery& que
         .get(display_delay_query("s.id"), one.display_delay_s, display_delay_from)
         .get("m.value", one.value);
     if (!query.scene_text)
-      row.get("t.scene_text", one.scene_text).get("s.calibration", one.calibration)
+      row.get("t.scene_text", one.scene_text)
+          .get("s.calibration", one.calibration)
           .get("s.device_uri", one.device_uri);
     // CROSS JOIN: from the few people down to the trials, never through all measures.
     row.select(

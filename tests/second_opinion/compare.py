@@ -153,7 +153,7 @@ def jobs_of(pool, program, folder, seed, refused):
     for other in (seed + 1, seed + 2):
         for name, columns, text in handmade.cases(other):
             yield pool.submit(check_handmade, program, folder, f"{name}_{other}", columns, text)
-    made = [(s[0], len(s[-1]), pool.submit(make_session, program, folder, *s)) for s in sessions.sessions(seed)]
+    made = [(s[0], sessions.trials(s[-1]), pool.submit(make_session, program, folder, *s)) for s in sessions.sessions(seed)]
     varied, complete = set(), sessions.complete(seed)
     for name, asked, session in made:
         refused[name] = asked - len(session.result())

@@ -53,7 +53,7 @@ OWN = {
 }
 POSES = 'kind = "pose_matching"\npostures = "screw"\n'
 OWN_ARM = {
-    "own_arm_flown_through": POSES + 'sequence = ["screw", "initial", "unscrew"]\nrepeats = 2\nhold_s = 0\n'
+    "own_arm_flown_through": POSES + 'sequence = ["screw", "initial", "unscrew"]\nhold_s = 0\n'
                              'display_s = 0\ntime_limit_s = 8\n',
     # The object is there already, or stays there: entered at the cue.
     "own_arm_there": POSES + 'sequence = ["initial", "initial", "screw", "screw"]\nhold_s = 0\ndisplay_s = 0.5\n'
@@ -65,7 +65,7 @@ OWN_ARM = {
     "own_arm_little": POSES + 'sequence = ["screw", "initial", "unscrew", "initial"]\nway_percent = 10\n'
                       'position_tolerance_m = 0.01\nangle_tolerance_deg = 5\ndisplay_s = 1\n',
     # Some are reached only at about the limit, some are not.
-    "own_arm_hurry": POSES + 'sequence = ["unscrew", "initial", "screw", "initial"]\nrepeats = 3\nway_percent = 80\n'
+    "own_arm_hurry": POSES + 'sequence = ["unscrew", "initial", "screw", "initial"]\nway_percent = 80\n'
                      'scale = "length"\nhold_s = 0.5\ndisplay_s = 0.7\ntime_limit_s = 2\n',
     "own_arm_wide": 'kind = "pose_matching"\npostures = "forearm_and_wrist"\nsequence = ["extension", "flexion"]\n'
                     'repeats = 2\nscale = "length"\nposition_tolerance_m = 0.05\nangle_tolerance_deg = 30\n'
@@ -91,9 +91,18 @@ PATIENTS = ["mild", "moderate", "paretic", "severe", "spastic", "opening_loss", 
             "sensory_loss", "inattention", "fatiguing", "submaximal", "slow_wander", "pain_stop"]
 
 
+# Trials of more than four movements are refused.
+REPEATED = {"own_arm_flown_through": 2, "own_arm_hurry": 3}
+
+
 def of_arm(tasks):
     """Tasks of an arm, not of the platform."""
     return tasks[0] in ARM or tasks[0] in OWN_ARM
+
+
+def trials(tasks):
+    """How many there are of these tasks."""
+    return sum(REPEATED.get(task, 1) for task in tasks)
 
 
 def sessions(seed):
@@ -122,6 +131,8 @@ def write_protocol(folder, name, tasks):
     lines = ['format = "isograsp-protocol-1"', f'name = "{name}"', "[[step]]", f'kind = "{first}"']
     for task in tasks:
         lines += ["[[step]]", 'kind = "task"', f'task = "{task}.toml"']
+        if of_arm(tasks):  # so many movements are no assessment of an arm, and it rests between them
+            lines += ["practice = true", "rest_s = 60", f"repetitions = {REPEATED.get(task, 1)}"]
         if task in ADAPTIVE:
             lines.append("adaptive = true")
         if task in OWN:

@@ -9,11 +9,19 @@
 
 namespace isograsp::reports {
 
-/// Tolerance, then a line for each posture over the trials that are compared. Targets that were not
-/// reached are counted and stand in the median as longer than the limit: with as many or more of
-/// them than of the others there is none. Empty: of another kind of task.
-[[nodiscard]] std::vector<Text> posture_lines(const TaskSection& section,
-                                              const std::vector<const StoredTrial*>& compared);
+/// For each posture how often it was reached in these trials and how soon:
+/// targets that were not reached stand in the median as longer than the limit. Empty: of another
+/// kind of task.
+[[nodiscard]] std::vector<PostureResult> posture_results(
+    const TaskSection& section, const std::vector<const StoredTrial*>& compared);
+/// Reads a trial of the last session of a task with postures target by target into section.poses.
+void add_poses(TaskSection& section, const Signals& signals);
+/// Adds to each posture how far the object was off in section.poses, how far it turned and how long
+/// it was not seen.
+void finish_postures(TaskSection& section);
+
+/// "Tolerance 15 mm and 10°, held for 0.3 s"; empty: of another kind of task.
+[[nodiscard]] Text tolerance_words(const TaskSection& section);
 
 /// Of the last of the trials that are compared: recognition and movement apart, which link turned
 /// first, and the share of its turn that each had when the forearm had 63 % of its own. Describes:
@@ -21,8 +29,8 @@ namespace isograsp::reports {
 [[nodiscard]] std::vector<Text> sharing_lines(const TaskSection& section,
                                               const std::vector<const StoredTrial*>& compared);
 
-/// Of the last trial as it is drawn: in how many movements the upper arm moved, whether the device
-/// did, and that the trunk was not measured. Empty: of another kind of task, or nothing to say.
+/// Of section.poses: in how many movements the upper arm moved, whether the device did, and that
+/// the trunk was not measured. Empty: of another kind of task, or nothing to say.
 [[nodiscard]] std::vector<Text> compensation_lines(const TaskSection& section);
 
 }  // namespace isograsp::reports

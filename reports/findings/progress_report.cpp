@@ -62,9 +62,24 @@ DrawnTrial drawn(storage::SessionStore& store, const StoredTrial& trial,
   return drawn;
 }
 
+/// The trials of the newest session that are compared with each other; the last of them is drawn.
+void add_session_poses(storage::SessionStore& store, const std::vector<const StoredTrial*>& all,
+                       TaskSection& section) {
+  if (section.postures.empty() || !section.last) return;
+  for (const StoredTrial* trial : all) {
+    if (trial->session != section.last->session || !counts(trial->trial) ||
+        !difference(*trial, *all.back()).empty())
+      continue;
+    // What cannot be read is said where the last trial is drawn.
+    if (const auto signals = store.signals(trial->trial)) add_poses(section, *signals);
+  }
+  finish_postures(section);
+}
+
 void add_drawn_trials(storage::SessionStore& store, const std::vector<const StoredTrial*>& all,
                       TaskSection& section) {
   if (counts(all.back()->trial)) section.last = drawn(store, *all.back(), section);
+  add_session_poses(store, all, section);
   for (Text& line : compensation_lines(section)) section.notes.push_back(std::move(line));
   const auto [best, worst] = extremes_of(section, all);
   if (best == nullptr) return;

@@ -3,6 +3,7 @@
 // the same content. SI units, radians; times of day in UTC.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -11,12 +12,14 @@
 #include "core/measure.hpp"
 #include "core/signals.hpp"
 #include "core/text.hpp"
+#include "hand/arm_links.hpp"
 #include "hand/finger.hpp"
 #include "reports/findings/change.hpp"
 #include "reports/findings/compass.hpp"
 #include "reports/findings/limits.hpp"
 #include "reports/findings/norm_band.hpp"
 #include "reports/findings/practice_dose.hpp"
+#include "tasks/kinds/arm/pose_trial.hpp"
 #include "tasks/task_spec.hpp"
 
 namespace isograsp::reports {
@@ -93,6 +96,19 @@ struct DrawnTrial {
   Text problem;                   ///< why the signals cannot be shown
 };
 
+/// How targets with one posture went in the last session, in the trials that are compared.
+struct PostureResult {
+  std::string name;
+  int asked = 0;
+  int reached = 0;
+  std::optional<double> median_s;  ///< nothing: longer than the limit
+  // Nothing: not reached.
+  std::optional<double> position_error_m;  ///< mean from reached to the next cue
+  std::optional<double> angle_error_rad;
+  std::optional<double> rotation_rad;  ///< of the object, median
+  std::optional<double> unseen;        ///< share of the time, mean
+};
+
 /// From this session on a task was done under other conditions.
 struct SeriesBreak {
   std::size_t session = 0;
@@ -113,8 +129,14 @@ struct TaskSection {
   std::optional<DrawnTrial> last;  ///< the newest
   std::optional<DrawnTrial> best;  ///< of a force task, by its first key measure
   std::optional<DrawnTrial> worst;
-  std::vector<SeriesBreak> breaks;  ///< oldest first
-  /// Of an arm each posture and what the body did; what was left out and why.
+  std::vector<SeriesBreak> breaks;      ///< oldest first
+  std::vector<PostureResult> postures;  ///< of a task with postures, in the order of the first cues
+  /// Of a task with postures: the trials of the last session that are compared, one after the
+  /// other.
+  std::optional<tasks::PoseTrial> poses;
+  /// Of healthy people, for `relative_rotation` of each link; nothing: nobody is like this person.
+  std::array<std::optional<NormBand>, kArmLinkCount> link_shares;
+  /// Of an arm what the body did; what was left out and why.
   std::vector<Text> notes;
 };
 

@@ -42,7 +42,17 @@ void add_practice(const std::vector<const StoredTrial*>& practised, MeasureSerie
         series.practice.push_back({trial->session, *measure.value});
 }
 
-/// To the key measures what healthy people do.
+/// What healthy people do in one measure.
+Result<std::optional<NormBand>> norm_of(const VerdictContext& context, const StoredTrial& like,
+                                        const MeasureSeries& series) {
+  const auto query = pool_query(like, series);
+  const auto healthy = renewed_values(context.renewal, query, context.store.healthy_values(query));
+  if (!healthy) return healthy.error();
+  return norm_band(*healthy, like, context.profile,
+                   tasks::words_of(series.name, series.channel).censored);
+}
+
+/// To the key measures, and to the shares of the links of an arm, what healthy people do.
 Result<void> add_norms(const VerdictContext& context, const StoredTrial& like,
                        TaskSection& section) {
   const storage::PatientProfile& person = context.profile;
@@ -51,14 +61,31 @@ Result<void> add_norms(const VerdictContext& context, const StoredTrial& like,
   for (auto& series : section.series) {
     if (!series.key && primary_of(context, section, series.name, series.channel) == nullptr)
       continue;
-    const auto query = pool_query(like, series);
-    const auto healthy =
-        renewed_values(context.renewal, query, context.store.healthy_values(query));
-    if (!healthy) return healthy.error();
-    series.norm = norm_band(*healthy, like, context.profile,
-                            tasks::words_of(series.name, series.channel).censored);
+    auto norm = norm_of(context, like, series);
+    if (!norm) return norm.error();
+    series.norm = *std::move(norm);
   }
+  for (std::size_t link = 0; link < kArmLinkCount; ++link)
+    for (const Measure& measure : like.measures) {
+      if (measure.name != "relative_rotation" || measure.channel != kArmLinkNames[link]) continue;
+      MeasureSeries series;
+      series.name = measure.name;
+      series.channel = measure.channel;
+      series.unit = measure.unit;
+      series.version = measure.version;
+      auto norm = norm_of(context, like, series);
+      if (!norm) return norm.error();
+      section.link_shares[link] = *std::move(norm);
+    }
   return {};
+}
+
+/// Those of the session of the last.
+std::vector<const StoredTrial*> newest_session_of(const std::vector<const StoredTrial*>& trials) {
+  std::vector<const StoredTrial*> newest;
+  for (const StoredTrial* trial : trials)
+    if (trial->session == trials.back()->session) newest.push_back(trial);
+  return newest;
 }
 
 }  // namespace
@@ -96,7 +123,7 @@ Result<TaskSection> make_section(const VerdictContext& context,
       compared.push_back(entry);
   }
   section.breaks = breaks_of(section, all);
-  section.notes = posture_lines(section, compared);
+  section.postures = posture_results(section, newest_session_of(compared));
   for (Text& line : sharing_lines(section, compared)) section.notes.push_back(std::move(line));
   for (const auto& [why, which] : left_out)
     section.notes.push_back((which.size() == 1 ? "Session %1 not compared: %2"_text

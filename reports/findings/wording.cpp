@@ -69,6 +69,12 @@ Text hand_words(std::optional<Hand> hand) {
   if (!hand) return "both hands"_text;
   return hand == Hand::right ? "right hand"_text : "left hand"_text;
 }
+Words link_words(ArmLink link) {
+  static constexpr std::array<Words, kArmLinkCount> kWords{"forearm"_text, "wrist"_text,
+                                                           "fingers"_text};
+  return kWords[index_of(link)];
+}
+
 Text digit_words(Finger finger) {
   static constexpr std::array kDigits{"thumb"_text, "index"_text, "middle"_text};
   return kDigits[index_of(finger)];

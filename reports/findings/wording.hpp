@@ -9,6 +9,7 @@
 
 #include "core/english.hpp"
 #include "core/text.hpp"
+#include "hand/arm_links.hpp"
 #include "hand/finger.hpp"
 
 namespace isograsp::reports {
@@ -22,6 +23,7 @@ namespace isograsp::reports {
 [[nodiscard]] Text side_words(std::optional<Hand> hand);  ///< "right", "both"
 [[nodiscard]] Text hand_words(std::optional<Hand> hand);  ///< "right hand", "both hands"
 [[nodiscard]] Text digit_words(Finger finger);
+[[nodiscard]] Words link_words(ArmLink link);  ///< what turns: "forearm"
 
 /// "Maximum grip above rest", with the channel where it has words.
 [[nodiscard]] Text measure_title(std::string_view name, std::string_view channel);

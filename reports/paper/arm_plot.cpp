@@ -148,16 +148,10 @@ class ArmPlot {
     const auto object = poses_of(curves_, ArmSegment::object);
     const std::array<Values, kArmLinkCount> turns{turn(elbow, forearm), turn(forearm, dorsum),
                                                   turn(dorsum, object)};
-    const std::array<QPen, kArmLinkCount> pens{
-        QPen(Palette::ink(), view.px(1.0)), QPen(Palette::of(Hand::right), view.px(1.0)),
-        dashed(Palette::of(Hand::left), view.px(1.0), {4.0, 2.0})};
-    constexpr std::array<Words, kArmLinkCount> kWords{"forearm"_text, "wrist"_text, "fingers"_text};
     rect.axis(QCPAxis::atLeft)->setRange(range_of({&turns[0], &turns[1], &turns[2]}));
     for (std::size_t link = 0; link < kArmLinkCount; ++link) {
-      add(rect, turns[link], pens[link]);
-      view.explain(
-          link == index_of(ArmLink::fingers) ? PlotView::Mark::dashed : PlotView::Mark::line,
-          pens[link].color(), kWords[link]);
+      add(rect, turns[link], link_pen(view, static_cast<ArmLink>(link)));
+      explain_link(view, static_cast<ArmLink>(link));
     }
   }
 

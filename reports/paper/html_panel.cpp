@@ -29,7 +29,8 @@ QString table_of(const PanelTable& panel) {
 
 QString html_section(const Panel& panel) {
   QString out = panel.large_print ? "<section class=\"large\">" : "<section>";
-  out += "<h2>" + escaped(panel.heading) + "</h2>\n";
+  const QString heading = panel.of_task ? "h3" : "h2";
+  out += "<" + heading + ">" + escaped(panel.heading) + "</" + heading + ">\n";
   for (const auto& line : panel.lines) out += "<p>" + escaped(line) + "</p>\n";
   if (!panel.plots.empty()) out += "<div class=\"plots\">\n";
   for (const auto& plot : panel.plots) {

@@ -9,6 +9,7 @@
 #include "reports/findings/report_text.hpp"
 #include "reports/paper/html_panel.hpp"
 #include "reports/paper/html_parts.hpp"
+#include "reports/paper/panel.hpp"
 #include "reports/paper/plots.hpp"
 #include "tasks/facts/measure_words.hpp"
 
@@ -85,6 +86,7 @@ struct HtmlReport::Parts {
     if (section.last) add_last_trial(section);
     add_extremes(section);
     for (const auto& note : section.notes) out_ += "<p class=\"quiet\">" + html(note) + "</p>\n";
+    if (const auto panel = postures_panel(section, say_.language())) out_ += html_section(*panel);
     out_ += "</section>\n";
   }
 

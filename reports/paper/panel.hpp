@@ -38,6 +38,7 @@ struct Panel {
   std::vector<std::string> notes;   ///< small
   std::vector<std::string> blanks;  ///< to be filled in by hand: a word under each line
   bool large_print = false;         ///< a page of its own, for the patient
+  bool of_task = false;             ///< stands below a task: a smaller heading
 };
 
 /// Goals, what limits this hand: before the last measurement is judged. The content and the
@@ -50,6 +51,11 @@ struct Panel {
 /// Signature and the page for the patient: the end.
 [[nodiscard]] std::vector<Panel> panels_below(const ReportContent& content,
                                               const Language& language);
+
+/// Below a task with postures: each posture as a row, how the links shared the movements of the
+/// last trial. Nothing: another kind of task. The section and the language must outlive it.
+[[nodiscard]] std::optional<Panel> postures_panel(const TaskSection& section,
+                                                  const Language& language);
 
 /// The page for the patient: plain words, large letters, one picture.
 [[nodiscard]] Panel patient_page(const ReportContent& content, const Language& language);

@@ -147,7 +147,8 @@ void add_panel(std::vector<Block>& blocks, const Panel& panel) {
     blocks.back().new_page = true;
     for (const auto& line : panel.lines) add_text(blocks, line, large->text, kLargeGap);
   } else {
-    blocks.push_back(heading_block(qt(panel.heading), kSectionGap));
+    blocks.push_back(panel.of_task ? text_block(qt(panel.heading), kStrong, 8.0)
+                                   : heading_block(qt(panel.heading), kSectionGap));
     double gap = 0.0;
     for (const auto& line : panel.lines) {
       add_text(blocks, line, kBody, gap);

@@ -237,17 +237,21 @@ void add_sections(std::vector<Block>& blocks, const ReportContent& content, cons
   }
   std::vector<const TaskSection*> row;
   int used = 0;
+  const auto end_row = [&] {
+    if (row.empty()) return;
+    blocks.push_back(section_row(content, row, say));
+    for (const TaskSection* section : row)
+      if (const auto panel = postures_panel(*section, say.language())) add_panels(blocks, {*panel});
+    row.clear();
+    used = 0;
+  };
   for (const auto& section : content.sections) {
     const int columns = columns_of(section);
-    if (!row.empty() && used + columns > 3) {
-      blocks.push_back(section_row(content, row, say));
-      row.clear();
-      used = 0;
-    }
+    if (used + columns > 3) end_row();
     row.push_back(&section);
     used += columns;
   }
-  if (!row.empty()) blocks.push_back(section_row(content, row, say));
+  end_row();
 }
 
 }  // namespace isograsp::reports::pdf

@@ -56,6 +56,20 @@ QPen dashed(const QColor& color, double width, const QVector<qreal>& pattern) {
   return pen;
 }
 
+QPen link_pen(const PlotView& view, ArmLink link) {
+  switch (link) {
+    case ArmLink::forearm: return {Palette::ink(), view.px(1.0)};
+    case ArmLink::wrist: return {Palette::of(Hand::right), view.px(1.0)};
+    case ArmLink::fingers: break;
+  }
+  return dashed(Palette::of(Hand::left), view.px(1.0), {4.0, 2.0});
+}
+
+void explain_link(PlotView& view, ArmLink link) {
+  view.explain(link == ArmLink::fingers ? PlotView::Mark::dashed : PlotView::Mark::line,
+               link_pen(view, link).color(), link_words(link));
+}
+
 QVector<int> visible_rows(const Values& values, int bins) {
   const int count = values.size();
   QVector<int> rows;

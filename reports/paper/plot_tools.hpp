@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <span>
 
+#include "reports/paper/plots.hpp"
 #include "reports/paper/plotting.hpp"
 
 namespace isograsp::reports {
@@ -28,6 +29,10 @@ using Values = QVector<double>;
 QCPGraph& add_line(QCPAxisRect& rect, const Values& x, const Values& y, const QPen& pen);
 
 [[nodiscard]] QPen dashed(const QColor& color, double width, const QVector<qreal>& pattern);
+
+/// The line of a link of an arm, told apart without its colour, and its word in the key.
+[[nodiscard]] QPen link_pen(const PlotView& view, ArmLink link);
+void explain_link(PlotView& view, ArmLink link);
 
 /// Indices of the values that a line needs so that it looks the same in `bins` equal pieces of its
 /// length: first, smallest, largest and last of each, and the gaps (NaN). Jugel et al., "M4: a

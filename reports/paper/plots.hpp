@@ -90,14 +90,30 @@ struct ErrorBand {
 [[nodiscard]] PlotView arm_plot(const TaskSection& section, const DrawnTrial& trial, QSizeF size,
                                 double unit, const Language& language = kEnglish);
 
-/// True if finger forces of the last trial are there.
+/// Fewer movements are drawn without a band.
+inline constexpr int kLeastBandMovements = 3;
+/// Postures whose movements in the last session make a band (kLeastBandMovements), those with most
+/// of them first. Empty: another kind of task.
+[[nodiscard]] std::vector<std::string> postures_with_band(const TaskSection& section);
+/// How far forearm, wrist and fingers had come on their turns in the movements of the last session
+/// to one posture: mean and standard deviation from where the object began to turn (Kurillo et al.,
+/// isotonic part, figure of the relative rotations). @pre the posture is in postures_with_band()
+[[nodiscard]] PlotView turns_plot(const TaskSection& section, const std::string& posture,
+                                  QSizeF size, double unit, const Language& language = kEnglish);
+/// When each link began to turn and which share of its turn it had when the forearm had 63 % of its
+/// own: a dot for each movement of the last session, a line at their median; of shares the band of
+/// healthy people where there are enough of them. @pre section.poses
+[[nodiscard]] PlotView sharing_plot(const TaskSection& section, QSizeF size, double unit,
+                                    const Language& language = kEnglish);
+
+/// True if finger forces of the last session are there.
 [[nodiscard]] bool has_fingers(const TaskSection& section);
 /// Normal and tangential forces of the fingers against time, in the contact frames: to be read with
 /// the way of the object below (Kurillo et al., figures 7 and 8). @pre has_fingers(section)
 [[nodiscard]] PlotView fingers_plot(const TaskSection& section, QSizeF size, double unit,
                                     const Language& language = kEnglish);
 
-/// True if the last trial moved an object in the plane.
+/// True if the last session moved an object in the plane.
 [[nodiscard]] bool has_path(const TaskSection& section);
 /// The way of the object in the plane, with numbered targets. @pre has_path(section)
 [[nodiscard]] PlotView path_plot(const TaskSection& section, QSizeF size, double unit,

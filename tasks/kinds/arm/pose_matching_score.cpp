@@ -9,12 +9,11 @@
 //   rotation …        of forearm against elbow, hand against forearm, object against hand: medians
 //                     over the reached targets
 #include <algorithm>
-#include <cmath>
 
 #include "hand/arm_columns.hpp"
-#include "kinematics/movement.hpp"
 #include "statistics/percentile.hpp"
 #include "tasks/kinds/arm/pose_matching.hpp"
+#include "tasks/kinds/arm/pose_trial.hpp"
 #include "tasks/kinds/arm/segment_poses.hpp"
 #include "tasks/kinds/tools/object_score.hpp"
 #include "tasks/kinds/tools/score_tools.hpp"
@@ -24,32 +23,17 @@ namespace isograsp::tasks {
 
 namespace {
 
-/// A rig of the segments that every trial of an arm records.
-Rig recorded_rig() {
-  Rig rig;
-  const auto link = [&](const char* name, std::string_view parent, std::string_view child) {
-    rig.links.push_back({name, std::string(parent), std::string(child), AngleSequence::rpy, {}});
-  };
-  link("forearm", "elbow", "forearm");
-  link("wrist", "forearm", "dorsum");
-  link("fingers", "dorsum", "object");
-  link("object", kWorld, "object");
-  rig.score = RigScore{"forearm", "object", "object"};
-  return rig;
-}
-
 class PoseMatchingScore {
  public:
   PoseMatchingScore(const PoseMatchingSpec& spec, const Record& record)
       : spec_(spec),
         record_(record),
-        whole_(record.select(kSought, needed())),
+        whole_(record.select(kSought, columns_of_pose_trial())),
         times_(spec.targets()) {
     if (!whole_.reason.empty()) return;
-    read_rows();
-    read_targets();
-    run();
-    measure_movements();
+    trial_ = pose_trial(spec, record.signals());
+    movements_ = movement_measures(trial_.rig, trial_.movements);
+    read_times();
   }
 
   [[nodiscard]] std::vector<Measure> measures() const {
@@ -71,76 +55,15 @@ class PoseMatchingScore {
   static constexpr std::initializer_list<Phase> kSought = {Phase::transport, Phase::hold,
                                                            Phase::active};
 
-  static std::vector<std::string> needed() {
-    std::vector<std::string> names = columns_of_object_and_reference();
-    names.emplace_back(columns::target_index);
-    return names;
-  }
-
-  /// The rows that the task saw.
-  void read_rows() {
-    const Signals& signals = record_.signals();
-    const auto t_s = signals.column(columns::t_s);
-    for (std::size_t row = 0; row < record_.rows(); ++row)
-      if (!record_.paused(row)) rows_.push_back(row);
-    series_.source = "the recorded signals";
-    for (std::size_t s = 0; s < kArmSegmentCount; ++s) {
-      const auto& columns = columns::segment_pose[s];
-      const SegmentPoses poses(signals, columns.position, columns.attitude);
-      if (!poses.known()) continue;
-      series_.frames.emplace_back(kArmSegmentNames[s]);
-      series_.X_W.emplace_back();
-      for (const std::size_t row : rows_) series_.X_W.back().push_back(poses.at(row));
-    }
-    for (const std::size_t row : rows_) series_.t_s.push_back(t_s[row]);
-  }
-
-  /// The reference of each target is where it was first shown.
-  void read_targets() {
-    const Signals& signals = record_.signals();
-    const auto index = signals.column(columns::target_index);
-    const SegmentPoses reference(signals, columns::reference_position, columns::reference_attitude);
-    task_.position_tolerance_m = spec_.position_tolerance_m;
-    task_.angle_tolerance_rad = spec_.angle_tolerance_rad;
-    task_.hold_s = spec_.hold_s;
-    task_.display_s = spec_.display_s;
-    task_.time_limit_s = spec_.time_limit_s;
-    for (const std::size_t row : rows_) {
-      const std::size_t next = task_.references.size();
-      if (next == spec_.targets()) break;
-      if (index[row] != static_cast<double>(next)) continue;
-      const Pose X_WR = reference.at(row);
-      if (is_missing(X_WR)) continue;
-      task_.references.push_back({spec_.sequence[next % spec_.sequence.size()], X_WR});
-      task_.targets.push_back(next);
-    }
-  }
-
-  /// Where the object was in a row that the task saw; a row that is excluded was not seen.
-  [[nodiscard]] Pose object(std::size_t k) const {
-    return series_.X_W[*series_.frame(kArmSegmentNames[index_of(ArmSegment::object)])][k];
-  }
-
-  void run() {
-    if (task_.targets.empty()) return;
-    PoseTaskRun run(task_);
-    double tried_s = 0.0;
-    const auto keep = [&](const PoseEvent& event) {
-      events_.push_back(event);
+  /// How each target ended on the task's clock.
+  void read_times() {
+    for (const PoseEvent& event : trial_.events)
       times_[event.reference].completion = event.time_s
                                                ? statistics::Completion{*event.time_s, true}
                                                : statistics::Completion{spec_.time_limit_s, false};
-    };
-    for (std::size_t k = 0; k < rows_.size(); ++k) {
-      if (const auto event = run.step(series_.t_s[k], object(k))) keep(*event);
-      tried_s = run.sought_s(series_.t_s[k]);
-    }
-    const std::size_t last = run.target();
-    const bool sought = run.started() && !run.finished() && !run.matched();
-    if (const auto event = run.finish()) keep(*event);
-    if (sought)
-      times_[last].completion =
-          statistics::Completion{std::clamp(tried_s, 0.0, spec_.time_limit_s), false};
+    if (trial_.unended)
+      times_[trial_.unended->target].completion = statistics::Completion{
+          std::clamp(trial_.unended->sought_s, 0.0, spec_.time_limit_s), false};
     for (std::size_t i = 0; i < times_.size(); ++i)
       if (times_[i].completion) times_[i].rows = rows_of(i);
   }
@@ -150,36 +73,23 @@ class PoseMatchingScore {
     const auto index = record_.signals().column(columns::target_index);
     std::size_t first = record_.rows();
     std::size_t last = 0;
-    for (const std::size_t row : rows_)
-      if (index[row] == static_cast<double>(target)) {
+    for (std::size_t row = 0; row < record_.rows(); ++row)
+      if (!record_.paused(row) && index[row] == static_cast<double>(target)) {
         first = std::min(first, row);
         last = row + 1;
       }
     return first < last ? record_.select(first, last, kSought, {}) : Section{};
   }
 
-  void measure_movements() {
-    std::vector<PoseTarget> targets;
-    for (const PoseEvent& event : events_)
-      targets.push_back({task_.references[event.reference].name, event.cue_s, event.enter_s,
-                         task_.references[event.reference].X_WR});
-    auto scores = score_movements(rig_, series_, std::move(targets));
-    if (!scores) {
-      unmeasured_ = scores.error().what;
-      return;
-    }
-    movements_ = movement_measures(rig_, *scores);
-  }
-
   [[nodiscard]] Text none_reached() const {
-    return events_.empty() ? "no target came to its end"_text : "no target was reached"_text;
+    return trial_.events.empty() ? "no target came to its end"_text : "no target was reached"_text;
   }
 
   void add_errors(std::vector<Measure>& all) const {
     const auto add = [&](const char* name, const char* unit,
                          std::optional<double> PoseEvent::*error) {
       std::vector<double> errors;
-      for (const PoseEvent& event : events_)
+      for (const PoseEvent& event : trial_.events)
         if (event.*error) errors.push_back(*(event.*error));
       all.push_back(make_measure(name, "object", unit, whole_, mean_of(errors)));
     };
@@ -205,13 +115,13 @@ class PoseMatchingScore {
       if (one.measure.name != measure || one.measure.channel != channel) continue;
       if (one.measure.value)
         found.values.push_back(*one.measure.value);
-      else if (found.reason.empty() && events_[one.movement].enter_s)
+      else if (found.reason.empty() && trial_.events[one.movement].enter_s)
         found.reason = reason_words(one.measure.reason);
     }
     return found;
   }
   [[nodiscard]] statistics::Computed median_of(Each found) const {
-    if (!unmeasured_.empty()) return unmeasured_;
+    if (!trial_.unmeasured.empty()) return trial_.unmeasured;
     if (found.values.empty()) return found.reason.empty() ? none_reached() : found.reason;
     return statistics::median(found.values);
   }
@@ -222,7 +132,7 @@ class PoseMatchingScore {
     movement.reason = recognition.reason;
     for (const MovementMeasure& one : movements_)
       if (one.measure.name == "t10" && one.measure.channel == "object" && one.measure.value)
-        if (const PoseEvent& event = events_[one.movement]; event.enter_s)
+        if (const PoseEvent& event = trial_.events[one.movement]; event.enter_s)
           movement.values.push_back(*event.enter_s - event.cue_s - *one.measure.value);
     all.push_back(
         make_measure("recognition_time", "object", "s", whole_, median_of(std::move(recognition))));
@@ -239,14 +149,9 @@ class PoseMatchingScore {
   const PoseMatchingSpec& spec_;
   const Record& record_;
   Section whole_;  ///< all rows in which a target was sought or shown
-  const Rig rig_ = recorded_rig();
-  std::vector<std::size_t> rows_;  ///< not paused
-  PoseSeries series_;              ///< in those rows
-  PoseTask task_;                  ///< of the targets that were shown
-  std::vector<PoseEvent> events_;
+  PoseTrial trial_;
   std::vector<TargetTime> times_;
   std::vector<MovementMeasure> movements_;
-  Text unmeasured_;  ///< why no movement can be measured
 };
 
 }  // namespace

@@ -39,6 +39,12 @@ std::vector<std::string> columns_of_object_and_reference() {
   return names;
 }
 
+std::vector<std::string> columns_of_pose_trial() {
+  std::vector<std::string> names = columns_of_object_and_reference();
+  names.emplace_back(columns::target_index);
+  return names;
+}
+
 statistics::Computed seen_percent(const Record& record) {
   const SegmentPoses object = object_poses(record.signals());
   double seen_s = 0.0;

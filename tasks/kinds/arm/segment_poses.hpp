@@ -32,6 +32,8 @@ class SegmentPoses {
 
 /// Names of all fields of both.
 [[nodiscard]] std::vector<std::string> columns_of_object_and_reference();
+/// Those and the number of the target: without them a trial of poses cannot be read.
+[[nodiscard]] std::vector<std::string> columns_of_pose_trial();
 
 /// Share of the time of the task in which the object was seen [%]; pauses out of sight count.
 [[nodiscard]] statistics::Computed seen_percent(const Record& record);

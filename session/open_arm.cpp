@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/open_arm.hpp"
 
-#include <cmath>
+#include <algorithm>
 #include <utility>
 
 #include "session/arm/marker_arm.hpp"
 #include "virtual_patient/arm/virtual_arm.hpp"
+#include "virtual_patient/arm/virtual_drinker.hpp"
 #include "virtual_patient/traits.hpp"
 
 namespace isograsp::session {
@@ -15,8 +16,17 @@ namespace {
 /// A rig that fits the markers of the simulated arm.
 constexpr const char* kSimulatedRig = "kurillo15_trunk";
 
+/// The rig names no other markers than those of somebody who drinks.
+bool is_of_drinking(const Rig& rig) {
+  const auto names = virtual_patient::VirtualDrinker::names();
+  const auto markers = markers_of(rig);
+  return std::all_of(markers.begin(), markers.end(), [&](const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  });
+}
+
 /// Whose arm it is; null: nobody is simulated.
-Result<std::unique_ptr<MarkerSource>> simulated_arm(const Uri& uri, Hand hand) {
+Result<std::unique_ptr<MarkerSource>> simulated_arm(const Uri& uri, const Rig& rig, Hand hand) {
   std::unique_ptr<MarkerSource> nobody;
   if (uri.scheme != "sim") return nobody;
   const std::string patient = uri.text_or("patient", "healthy");
@@ -38,12 +48,15 @@ Result<std::unique_ptr<MarkerSource>> simulated_arm(const Uri& uri, Hand hand) {
   const auto day = uri.number_or("day", 0.0, 0.0, kLatestDay);
   if (!day) return day.error();
   const auto person = static_cast<std::uint64_t>(*seed);
-  virtual_patient::ArmTraits arm = virtual_patient::recovered(*traits, *recovery);
-  if (uri.parameters.contains("day"))
-    arm = virtual_patient::arm_on_day(
-        arm, virtual_patient::day_seed(person, static_cast<std::uint64_t>(*day)));
-  return std::unique_ptr<MarkerSource>(
-      std::make_unique<virtual_patient::VirtualArm>(arm, person, hand));
+  const auto arm = virtual_patient::recovered(*traits, *recovery);
+  std::optional<std::uint64_t> on_day;
+  if (uri.parameters.contains("day")) on_day = static_cast<std::uint64_t>(*day);
+  std::unique_ptr<MarkerSource> source;
+  if (is_of_drinking(rig))
+    source = std::make_unique<virtual_patient::VirtualDrinker>(arm, person, hand, on_day);
+  else
+    source = std::make_unique<virtual_patient::VirtualArm>(arm, person, hand, on_day);
+  return source;
 }
 
 }  // namespace
@@ -53,7 +66,7 @@ Result<std::unique_ptr<Apparatus>> open_arm(const ApparatusRequest& request) {
   auto rig = ArmRig::load(uri.text_or("rig", uri.scheme == "sim" ? kSimulatedRig : ""),
                           request.library, request.hand, uri.text);
   if (!rig) return rig.error();
-  auto person = simulated_arm(uri, request.hand);
+  auto person = simulated_arm(uri, rig->rig, request.hand);
   if (!person) return person.error();
   auto device = open_marker_device(uri, person->get());
   if (!device) return device.error();

@@ -73,6 +73,37 @@ TEST(Arm, ASimulatedOneGoesFromMarkersToAReport) {
     EXPECT_EQ(page.find(not_said), std::string::npos) << not_said;
 }
 
+TEST(Arm, ASimulatedPersonIsTheSameOnADayAndInAnotherFormOnTheNext) {
+  const TemporaryFolder folder;
+  const auto on_day = [&](const std::string& day) {
+    const auto done =
+        isograsp(run(folder, "sim://arm?patient=paretic&seed=3&recovery=0.5&day=" + day,
+                     "--patient A-1 --fast"));
+    EXPECT_EQ(done.status, 0) << done.err;
+    return printed(done.out, "rotation");
+  };
+  const double first = on_day("0");
+  EXPECT_EQ(first, on_day("0"));
+  EXPECT_NE(first, on_day("1"));
+}
+
+TEST(Arm, ASimulatedPersonDrinksWhereTheRigNamesTheirMarkers) {
+  const TemporaryFolder folder;
+  const auto total_s = [&](const std::string& patient) {
+    const auto done =
+        isograsp("run --device 'sim://arm?patient=" + patient + "&seed=3&rig=drinking' " +
+                 "--protocol-file " + std::string(ISOGRASP_SOURCE_DIR) +
+                 "/library/protocols/arm_drinks.toml --db " + folder.path("clinic.db") +
+                 " --patient A-1 --fast");
+    EXPECT_EQ(done.status, 0) << done.err;
+    return printed(done.out, "total_movement_time");
+  };
+  const double healthy_s = total_s("healthy");
+  const double paretic_s = total_s("paretic");
+  EXPECT_GT(healthy_s, 3.0);
+  EXPECT_GT(paretic_s, 1.5 * healthy_s);
+}
+
 TEST(Arm, APareticReachesLessOrLaterAndMovesItsElbow) {
   double healthy_s = 0.0;
   double paretic_s = 0.0;

@@ -10,6 +10,7 @@
 // Mean attitude: eigenvector of the largest eigenvalue of sum q q^T (Markley et al. 2007).
 #include "kinematics/attitude.hpp"
 
+#include <array>
 #include <cmath>
 
 namespace isograsp {
@@ -68,6 +69,16 @@ Vec3 angles_of(const Quat& q, AngleSequence sequence) noexcept {
   const double first = std::atan2(-R(0, 1), R(1, 1));
   const Vec3 row = std::cos(first) * R.row(0) + std::sin(first) * R.row(1);  // of Rz(-first) R
   return {first, middle, std::atan2(row.z(), row.x())};
+}
+
+Quat attitude_of(const Vec3& angles_rad, AngleSequence sequence) noexcept {
+  const auto about = [](const Vec3& axis, double rad) {
+    return Quat(Eigen::AngleAxisd(rad, axis));
+  };
+  const auto [x, y, z] = std::array{Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY()), Vec3(Vec3::UnitZ())};
+  const double a1 = angles_rad[0], a2 = angles_rad[1], a3 = angles_rad[2];
+  return sequence == AngleSequence::rpy ? about(z, a3) * about(y, a2) * about(x, a1)
+                                        : about(z, a1) * about(x, a2) * about(y, a3);
 }
 
 Quat MeanAttitude::mean() const noexcept {

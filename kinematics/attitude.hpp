@@ -66,6 +66,9 @@ inline constexpr std::string_view kAngleSequenceNames[] = {"rpy", "zxy"};
 /// (a1, a2, a3) [rad]: a2 in [-pi/2, pi/2], the others in [-pi, pi]. Where cos a2 < 1e-9 only the
 /// sum or difference of the others is known: the angle of the innermost turn (rpy a1, zxy a3) is 0.
 [[nodiscard]] Vec3 angles_of(const Quat& q, AngleSequence sequence) noexcept;
+/// The attitude with these angles, whatever they are: angles_of() gives them back where they are in
+/// its ranges.
+[[nodiscard]] Quat attitude_of(const Vec3& angles_rad, AngleSequence sequence) noexcept;
 
 /// Mean attitude: the unit quaternion m that maximises sum (m . q_k)^2; the signs of the q_k do not
 /// count.

@@ -156,6 +156,25 @@ Postures part_of_the_way(Postures library, double way) {
   return library;
 }
 
+Postures own_range_postures(const StartPosture& start, const std::vector<std::string>& chain,
+                            std::size_t l, const RigLink& link, const OwnRange& range) {
+  Postures own;
+  own.name = "own range";
+  own.chain = chain;
+  own.postures.push_back({std::string(kStartOfRange), start.X_L});
+  const auto add = [&](std::string_view name, double angle_rad) {
+    Posture posture{std::string(name), start.X_L};
+    Vec3 angles_rad = link_angles(start.X_L[l].q, link);
+    angles_rad[range.angle] = angle_rad;
+    const Quat from_zero_q = attitude_of(angles_rad, link.sequence);
+    posture.X_L[l].q = link.zero ? (from_zero_q * *link.zero).normalized() : from_zero_q;
+    own.postures.push_back(std::move(posture));
+  };
+  add(kLeastOfRange, range.min_rad);
+  add(kLargestOfRange, range.max_rad);
+  return own;
+}
+
 Pose change_of_link(const Postures& library, std::size_t index, std::size_t l,
                     const StartPosture& start, SizeScale scale) {
   const Pose& X_00 = library.postures.front().X_L[l];

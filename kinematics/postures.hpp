@@ -82,6 +82,24 @@ class StartPostureMean {
 /// axis.
 [[nodiscard]] Postures part_of_the_way(Postures library, double way);
 
+/// How far a person's own angle of a link goes (kinematics/range_of_motion.hpp).
+struct OwnRange {
+  std::string link;
+  int angle = 0;  ///< 0, 1, 2: a1, a2, a3
+  double min_rad = 0.0;
+  double max_rad = 0.0;
+};
+
+/// Names of the postures of own_range_postures(); the initial one is the start posture.
+inline constexpr std::string_view kStartOfRange = "start";
+inline constexpr std::string_view kLeastOfRange = "least";
+inline constexpr std::string_view kLargestOfRange = "largest";
+/// A person's own postures: the start posture, and the same arm with one angle of link `l` of the
+/// chain at either end of its range. Positions of links stay. @pre start has the links of the chain
+[[nodiscard]] Postures own_range_postures(const StartPosture& start,
+                                          const std::vector<std::string>& chain, std::size_t l,
+                                          const RigLink& link, const OwnRange& range);
+
 /// What is done with translations of a posture change: left as they are, or made longer and shorter
 /// as the patient's link is.
 enum class SizeScale { none, length };

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "session/session.hpp"
+#include "tasks/kinds/arm/active_range.hpp"
 
 namespace isograsp::session {
 
@@ -32,6 +33,7 @@ void Lessons::learn(const tasks::TaskSpec& spec, const storage::TrialRecord& tri
                     const std::vector<Measure>& measures, const RestOutcome* rest) {
   if (trial.status != storage::TrialStatus::completed || trial.helped) return;
   learn_maxima(measures);
+  learn_range(spec, measures);
   training.learn(spec, trial, measures);
   if (rest != nullptr) references.resting_C = wrenches_of(rest->rest);
 }
@@ -49,6 +51,28 @@ void Lessons::learn_maxima(const std::vector<Measure>& measures) {
   }
 }
 
+void Lessons::learn_range(const tasks::TaskSpec& spec, const std::vector<Measure>& measures) {
+  const auto* const asked = spec.kind.get_if<tasks::ActiveRangeSpec>();
+  if (asked == nullptr) return;
+  const std::string_view link = kArmLinkNames[index_of(asked->link)];
+  std::optional<double> least_rad, largest_rad;
+  for (const Measure& measure : measures) {
+    if (measure.name == "least_angle") least_rad = measure.value;
+    if (measure.name == "largest_angle") largest_rad = measure.value;
+  }
+  if (!least_rad || !largest_rad) return;
+  const int angle = asked->angle - 1;
+  const auto known = std::find_if(ranges.begin(), ranges.end(), [&](const OwnRange& range) {
+    return range.link == link && range.angle == angle;
+  });
+  if (known == ranges.end()) {
+    ranges.push_back({std::string(link), angle, *least_rad, *largest_rad});
+    return;
+  }
+  known->min_rad = std::min(known->min_rad, *least_rad);
+  known->max_rad = std::max(known->max_rad, *largest_rad);
+}
+
 bool SessionKnowledge::asks_for(PreparationStep step) const noexcept {
   return std::find(steps.begin(), steps.end(), step) != steps.end();
 }
@@ -61,6 +85,7 @@ tasks::TaskContext SessionKnowledge::next_context() const {
   tasks::TaskContext context;
   context.period_s = apparatus.period_s;
   context.references = references;
+  context.ranges = ranges;
   context.seed = trial_seed(order_seed(), earlier.trials_made + trials_begun);
   return context;
 }

@@ -245,7 +245,11 @@ Result<void> Session::Opening::set_references() {
   references.ceiling_N = storage::value_of(known.record.references, platform::kCeiling_N);
   if (parts.platform != nullptr) references.resolution_N = parts.platform->resolution_N();
   for (const EarlierTrial& trial : known.earlier.trials)
-    if (!trial.record.helped) known.learn_maxima(trial.measures);
+    if (!trial.record.helped) {
+      known.learn_maxima(trial.measures);
+      if (const auto spec = tasks::parse_task(trial.record.task_text, trial.record.task_name))
+        known.learn_range(*spec, trial.measures);
+    }
   return {};
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "core/result.hpp"
 #include "kinematics/postures.hpp"
@@ -19,7 +20,7 @@ namespace isograsp::tasks {
 struct ArmPostures {
   Postures library;
   StartPosture start;
-  std::string text;  ///< the file of the postures as it is
+  std::string text;  ///< the file of the postures as it is; of an own range what it is of
 };
 
 /// What a task may depend on besides its file; stored with the trial.
@@ -27,6 +28,7 @@ struct TaskContext {
   double period_s = 0.01;  ///< of the frame grid
   std::uint64_t seed = 0;  ///< of fresh sequences and waits that cannot be foreseen
   ForceReferences references;
+  std::vector<OwnRange> ranges;    ///< of the links of this arm, measured in this session
   std::optional<ArmPostures> arm;  ///< of a task that names postures
 };
 

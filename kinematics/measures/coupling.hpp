@@ -11,16 +11,9 @@
 
 #include "core/result.hpp"
 #include "kinematics/movement.hpp"
+#include "kinematics/postures.hpp"
 
 namespace isograsp {
-
-/// How far a person's own angle of a link goes (kinematics/range_of_motion.hpp).
-struct OwnRange {
-  std::string link;
-  int angle = 0;  ///< 0, 1, 2: a1, a2, a3
-  double min_rad = 0.0;
-  double max_rad = 0.0;
-};
 
 struct MovementCoupling {
   // Of the share of the link that ends at the object (r_angle) on that of the forearm.

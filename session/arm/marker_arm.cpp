@@ -36,6 +36,24 @@ void add_to(ShownAngle& shown, double angle_rad, bool counts) noexcept {
   shown.largest_rad = shown.ranged ? std::max(shown.largest_rad, angle_rad) : angle_rad;
   shown.ranged = true;
 }
+/// The person's own range of an angle as postures.
+Result<tasks::ArmPostures> own_postures(LinkAngle asked, const std::vector<OwnRange>& ranges,
+                                        const StartPosture& start, const ArmRig& rig) {
+  const std::size_t link = index_of(asked.link);
+  const auto range = std::find_if(ranges.begin(), ranges.end(), [&](const OwnRange& one) {
+    return one.link == kArmLinkNames[link] && one.angle == asked.angle - 1;
+  });
+  if (range == ranges.end())
+    return failed("the range of this angle has not been measured in this session"_text,
+                  "measure it first: a task of the kind active_range, angle %1"_text(asked.angle))
+        .about("own_range");
+  // What is the same from day to day: not the range, which is what changes.
+  const std::string what =
+      "own range of " + std::string(kArmLinkNames[link]) + " angle " + std::to_string(asked.angle);
+  return tasks::ArmPostures{own_range_postures(start, rig.chain, link, rig.links[link], *range),
+                            start, what};
+}
+
 }  // namespace
 
 MarkerArm::MarkerArm(std::unique_ptr<MarkerDevice> device, ArmRig rig, std::string library,
@@ -108,13 +126,21 @@ Result<std::unique_ptr<Preparation>> MarkerArm::make_preparation(const ZeroReque
       std::make_unique<StartPostureCapture>(info_.period_s, request.settle_s));
 }
 
-Result<std::optional<tasks::ArmPostures>> MarkerArm::postures(const tasks::TaskSpec& spec) const {
+Result<std::optional<tasks::ArmPostures>> MarkerArm::postures(
+    const tasks::TaskSpec& spec, const std::vector<OwnRange>& ranges) const {
   std::optional<tasks::ArmPostures> of_this_arm;
   if (spec.kind->postures == nullptr) return of_this_arm;
   if (!start_)
     return failed("the start posture of this arm is not known"_text,
                   "hold the start posture for a second first"_text)
         .about("start_posture");
+  if (const auto* matching = spec.kind.get_if<tasks::PoseMatchingSpec>();
+      matching != nullptr && matching->own_range) {
+    auto own = own_postures(*matching->own_range, ranges, start_->mean(), rig_);
+    if (!own) return Error(own.error()).at(spec.file);
+    of_this_arm = *std::move(own);
+    return of_this_arm;
+  }
   const auto path =
       find_in_library(library_, "postures", spec.kind->postures(spec.kind), spec.file);
   if (!path) return path.error();
@@ -134,7 +160,7 @@ Result<std::optional<tasks::ArmPostures>> MarkerArm::postures(const tasks::TaskS
 Result<std::unique_ptr<TrialSetup>> MarkerArm::make_trial(const tasks::TaskSpec& spec,
                                                           const tasks::TaskContext& context) {
   if (auto fitting = fits(spec); !fitting) return fitting.error();
-  auto arm = postures(spec);
+  auto arm = postures(spec, context.ranges);
   if (!arm) return arm.error();
   tasks::TaskContext of_this_arm = context;
   of_this_arm.arm = *std::move(arm);

@@ -73,9 +73,10 @@ class MarkerArm final : public Apparatus {
   [[nodiscard]] Result<void> fits(const tasks::TaskSpec& spec) const;
   /// The running trial waits until the object is seen again.
   [[nodiscard]] bool sight_matters() const noexcept;
-  /// Those that the task names, and the start posture of this arm; nothing: it names none.
+  /// Those that the task names, and the start posture of this arm; nothing: it names none. Errors:
+  /// its own range is asked for and was not measured in this session.
   [[nodiscard]] Result<std::optional<tasks::ArmPostures>> postures(
-      const tasks::TaskSpec& spec) const;
+      const tasks::TaskSpec& spec, const std::vector<OwnRange>& ranges) const;
 
   std::unique_ptr<MarkerSource> person_;
   std::unique_ptr<MarkerDevice> device_;  ///< shows the person

@@ -87,6 +87,30 @@ TEST(Arm, ASimulatedPersonIsTheSameOnADayAndInAnotherFormOnTheNext) {
   EXPECT_NE(first, on_day("1"));
 }
 
+TEST(Arm, IsAskedForAPartOfItsOwnRangeOfToday) {
+  const TemporaryFolder folder;
+  const std::string with_protocol = "--protocol-file " + std::string(ISOGRASP_SOURCE_DIR) +
+                                    "/library/protocols/arm_assessment_own_range.toml --db " +
+                                    folder.path("clinic.db") + " --fast ";
+  // A paretic arm does not reach a fixed posture; its own range it does.
+  const auto done = isograsp("run --device 'sim://arm?patient=paretic&seed=3' " + with_protocol +
+                             "--patient A-1");
+  ASSERT_EQ(done.status, 0) << done.err;
+  EXPECT_GE(printed(done.out, "targets_reached"), 3.0) << done.out;
+  const auto verified = isograsp("db verify " + folder.path("clinic.db"));
+  EXPECT_EQ(verified.status, 0) << verified.out;
+
+  const std::string without = folder.write(
+      "without.toml",
+      "format = \"isograsp-protocol-1\"\nname = \"Without\"\n[[step]]\nkind = \"start_posture\"\n"
+      "[[step]]\nkind = \"task\"\ntask = \"arm_own_range.toml\"\n");
+  const auto refused = isograsp("run --device 'sim://arm?seed=3' --protocol-file " + without +
+                                " --db " + folder.path("clinic.db") + " --fast --patient A-2");
+  EXPECT_NE((refused.out + refused.err).find("has not been measured in this session"),
+            std::string::npos)
+      << refused.out << refused.err;
+}
+
 TEST(Arm, ASimulatedPersonDrinksWhereTheRigNamesTheirMarkers) {
   const TemporaryFolder folder;
   const auto total_s = [&](const std::string& patient) {

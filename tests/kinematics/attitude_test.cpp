@@ -21,11 +21,6 @@ constexpr double kExact_rad = 1e-14;
 Quat about(const Vec3& axis, double angle) {
   return Quat(Eigen::AngleAxisd(angle, axis));
 }
-Quat built(const Vec3& a, AngleSequence sequence) {
-  const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
-  return sequence == AngleSequence::rpy ? about(z, a[2]) * about(y, a[1]) * about(x, a[0])
-                                        : about(z, a[0]) * about(x, a[1]) * about(y, a[2]);
-}
 
 TEST(Attitude, AnglesBuildTheAttitudeAgainAlsoAtAndNearTheLock) {
   constexpr double kBuilt_rad = 1e-8;  // at the lock the angles keep what the quaternion has
@@ -33,21 +28,35 @@ TEST(Attitude, AnglesBuildTheAttitudeAgainAlsoAtAndNearTheLock) {
     for (const double middle : {-kPi / 2, -kPi / 2 + 1e-9, -kPi / 2 + 1e-5, -0.4, 0.0, 1e-8, 1.2,
                                 kPi / 2 - 1e-5, kPi / 2 - 1e-9, kPi / 2})
       for (const double outer : {-3.0, -0.2, 0.0, 2.0}) {
-        const Quat q = built({outer, middle, 0.7}, sequence);
+        const Quat q = attitude_of({outer, middle, 0.7}, sequence);
         const Vec3 angles = angles_of(q, sequence);
-        EXPECT_WITHIN(angle_between(built(angles, sequence), q), 0.0, kBuilt_rad) << middle;
+        EXPECT_WITHIN(angle_between(attitude_of(angles, sequence), q), 0.0, kBuilt_rad) << middle;
         EXPECT_LE(std::abs(angles[1]), kPi / 2);
       }
 }
 
+TEST(Attitude, AnglesTurnAboutTheAxesOfTheirSequence) {
+  const Vec3 angles(0.3, -0.4, 0.7);
+  const auto turn = [](const Vec3& axis, double rad) {
+    return about(axis, rad).toRotationMatrix();
+  };
+  const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
+  const Mat3 rpy = turn(z, 0.7) * turn(y, -0.4) * turn(x, 0.3);
+  const Mat3 zxy = turn(z, 0.3) * turn(x, -0.4) * turn(y, 0.7);
+  EXPECT_WITHIN((attitude_of(angles, AngleSequence::rpy).toRotationMatrix() - rpy).norm(), 0.0,
+                kExact_rad);
+  EXPECT_WITHIN((attitude_of(angles, AngleSequence::zxy).toRotationMatrix() - zxy).norm(), 0.0,
+                kExact_rad);
+}
+
 TEST(Attitude, AtTheLockTheInnermostTurnIsZero) {
   for (const double sign : {-1.0, 1.0}) {
-    EXPECT_EQ(
-        angles_of(built({0.3, sign * kPi / 2, 0.7}, AngleSequence::rpy), AngleSequence::rpy)[0],
-        0.0);
-    EXPECT_EQ(
-        angles_of(built({0.3, sign * kPi / 2, 0.7}, AngleSequence::zxy), AngleSequence::zxy)[2],
-        0.0);
+    EXPECT_EQ(angles_of(attitude_of({0.3, sign * kPi / 2, 0.7}, AngleSequence::rpy),
+                        AngleSequence::rpy)[0],
+              0.0);
+    EXPECT_EQ(angles_of(attitude_of({0.3, sign * kPi / 2, 0.7}, AngleSequence::zxy),
+                        AngleSequence::zxy)[2],
+              0.0);
   }
 }
 

@@ -36,6 +36,37 @@ TEST(Postures, AdaptToOtherArmsAsIndependentReferencesDo) {
   }
 }
 
+TEST(Postures, OfAnOwnRangeDifferInOneAngleOfOneLink) {
+  Random random(12);
+  constexpr double kRounding_rad = 1e-9;
+  for (const AngleSequence sequence : {AngleSequence::rpy, AngleSequence::zxy})
+    for (int i = 0; i < 50; ++i) {
+      StartPosture start{1, random_pose(random), {}};
+      for (int l = 0; l < 3; ++l) start.X_L.push_back(random_pose(random));
+      const RigLink link{"EF", "E", "F", sequence, random_pose(random).q};
+      for (int angle : {0, 2}) {  // the middle one has a lock
+        const OwnRange range{"forearm", angle, -0.6, 1.1};
+        const Postures own = own_range_postures(start, {"E", "F", "D", "O"}, 1, link, range);
+        ASSERT_EQ(own.postures.size(), 3u);
+        const Vec3 before = link_angles(start.X_L[1].q, link);
+        for (const auto& [posture, end_rad] : {std::pair(&own.postures[1], range.min_rad),
+                                               std::pair(&own.postures[2], range.max_rad)}) {
+          const Vec3 angles = link_angles(posture->X_L[1].q, link);
+          for (int a = 0; a < 3; ++a)
+            EXPECT_WITHIN(angles[a], a == angle ? end_rad : before[a], kRounding_rad);
+          EXPECT_EQ(posture->X_L[1].p, start.X_L[1].p);
+          for (const std::size_t other : {0u, 2u})
+            EXPECT_EQ(posture->X_L[other].q.coeffs(), start.X_L[other].q.coeffs());
+        }
+        // Nobody has to be adapted to himself.
+        const Pose X_WO = adapted(own, 0, start, SizeScale::none);
+        Pose chain = start.X_W;
+        for (const Pose& X_L : start.X_L) chain = compose(chain, X_L);
+        EXPECT_WITHIN((X_WO.p - chain.p).norm(), 0.0, kRounding_rad);
+      }
+    }
+}
+
 TEST(Postures, TheReferenceSubjectGetsHisOwnPosesBack) {
   Random random(8);
   constexpr double kIdentity = 1e-12;

@@ -74,7 +74,10 @@ Result<std::unique_ptr<Task>> make_pose_matching(const PoseMatchingSpec& spec,
 KindSpec read_pose_matching(TomlReader& reader) {
   constexpr int kMostRepeats = 100;
   PoseMatchingSpec spec;
-  spec.postures = reader.text("postures");
+  if (reader.has("own_range"))
+    spec.own_range = read_own_range(reader);
+  else
+    spec.postures = reader.text("postures");
   spec.sequence = read_sequence(reader);
   spec.repeats = read_count(reader, "repeats", spec.repeats, kMostRepeats);
   spec.way = read_way(reader);
@@ -115,7 +118,7 @@ constexpr PlacedMeasure kPoseMatchingPlaces[] = {{"targets_reached", "", Promine
 }  // namespace
 
 Result<PoseTask> pose_task_of(const PoseMatchingSpec& spec, const std::optional<ArmPostures>& arm) {
-  const auto once = places_of(spec.sequence, spec.postures, arm);
+  const auto once = places_of(spec.sequence, spec.own_range ? "own_range" : spec.postures, arm);
   if (!once) return once.error();
   const Postures library = part_of_the_way(arm->library, spec.way);
   PoseTask task;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "hand/arm_links.hpp"
 #include "kinematics/pose_task.hpp"
 #include "kinematics/postures.hpp"
 #include "tasks/kind_spec.hpp"
@@ -17,6 +18,9 @@ namespace isograsp::tasks {
 
 struct PoseMatchingSpec {
   std::string postures;  ///< name of a file of postures, beside the task or in the library
+  /// Instead of a file: postures of the person's own active range of this angle, measured before in
+  /// the session (kinematics: own_range_postures).
+  std::optional<LinkAngle> own_range;
   std::vector<std::string> sequence;  ///< names of postures, `repeats` times
   int repeats = 1;
   double way = 1.0;  ///< how far from the initial posture to the named one, 0 … 1

@@ -12,6 +12,16 @@ std::vector<std::string> read_sequence(TomlReader& reader) {
   return names;
 }
 
+LinkAngle read_own_range(TomlReader& reader) {
+  constexpr double kAngles = 3.0;
+  LinkAngle asked;
+  asked.link = static_cast<ArmLink>(reader.choice("own_range", kArmLinkNames));
+  asked.angle = static_cast<int>(read_within(reader, "own_angle", 1.0, kAngles));
+  if (reader.has("postures"))
+    reader.fail("postures", "stands beside own_range"_text, "leave one of them out"_text);
+  return asked;
+}
+
 double read_way(TomlReader& reader) {
   constexpr double kPercent = 100.0;
   constexpr double kLeastWay_percent = 10.0;

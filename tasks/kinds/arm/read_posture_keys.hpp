@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "hand/arm_links.hpp"
 #include "tasks/read_keys.hpp"
 #include "tasks/task.hpp"
 
@@ -14,6 +15,8 @@ namespace isograsp::tasks {
 
 /// Names of postures; one at least.
 std::vector<std::string> read_sequence(TomlReader& reader);
+/// Which angle of which link: own_range, own_angle. In its place a file of postures is none.
+LinkAngle read_own_range(TomlReader& reader);
 /// How far from the initial posture to the named one, 0.1 to 1.
 double read_way(TomlReader& reader);
 SizeScale read_scale(TomlReader& reader);

@@ -45,7 +45,7 @@ class ContactSolver {
  public:
   static constexpr std::size_t kMost = 28;      ///< contacts
   static constexpr int kSweeps = 50;            ///< at most
-  static constexpr double kSettled_m_s = 1e-7;  ///< a sweep that changes less is the last; the
+  static constexpr double kSettled_m_s = 1e-6;  ///< a sweep that changes less is the last; the
                                                 ///< next step goes on from there
 
   void clear() noexcept { count_ = 0; }

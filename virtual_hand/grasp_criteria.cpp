@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "virtual_hand/grasp_criteria.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 
@@ -70,6 +71,67 @@ Eigen::MatrixXd contact_jacobian(std::span<const DigitContact> contacts, const H
   return J;
 }
 
+const std::vector<Eigen::Index> kAllRows{0, 1, 2, 3, 4, 5};
+constexpr unsigned kThin = Eigen::ComputeThinU | Eigen::ComputeThinV;
+using SvdOfMap = Eigen::JacobiSVD<Eigen::MatrixXd>;
+
+/// What the criteria of one set are made of.
+struct GraspMaps {
+  GraspMaps(std::span<const DigitContact> contacts, const HandInSpace& hand, const Pose& X_WO,
+            const PadFriction& friction)
+      : soft(as_scene_contacts(contacts, friction)), J(contact_jacobian(contacts, hand, X_WO)) {
+    for (const DigitContact& contact : contacts) digits |= 1U << index_of(contact.digit);
+  }
+  DigitSet digits = 0;
+  std::vector<Contact> soft;
+  Eigen::MatrixXd J;
+};
+
+SixValues values_of(const Eigen::MatrixXd& map) {
+  return six_values(SvdOfMap(map).singularValues());
+}
+/// (G^T)^+ J by the factors of G^T = U S V^T: V S^-1 U^T J.
+Eigen::MatrixXd moved_by(const SvdOfMap& svd, const Eigen::MatrixXd& J_h) {
+  return svd.matrixV() * svd.singularValues().cwiseInverse().asDiagonal() *
+         svd.matrixU().transpose() * J_h;
+}
+
+/// Of scaled maps; force closure and raw values are left out.
+GraspCriteria scaled_criteria(const GraspMaps& maps, double hand_scale_m) {
+  GraspCriteria criteria;
+  criteria.digits = maps.digits;
+  const Scales scales = default_scales(maps.soft);
+  criteria.length_scale_m = scales.length_m;
+  const Eigen::MatrixXd G_scaled = scaled_grasp_map(maps.soft, kAllRows, scales);
+  Eigen::VectorXd unit = Eigen::VectorXd::Ones(maps.J.rows());
+  for (Eigen::Index k = 3; k < unit.size(); k += kCoordinates) unit[k] = scales.torsion_m;
+  const SvdOfMap scaled(G_scaled.transpose(), kThin);
+  criteria.G = six_values(scaled.singularValues());
+  if (!full_rank(criteria.G, G_scaled.cols())) {
+    criteria.G.least = criteria.G.product = 0.0;
+    return criteria;
+  }
+  criteria.H = values_of(moved_by(scaled, unit.asDiagonal() * maps.J / hand_scale_m));
+  return criteria;
+}
+
+/// Calls act(contacts of the set) for every pair, then every triple.
+template <class Act>
+void for_each_set(std::span<const DigitContact> contacts, const Act& act) {
+  const std::size_t n = contacts.size();
+  std::vector<DigitContact> chosen;
+  const auto pass = [&](std::initializer_list<std::size_t> which) {
+    chosen.clear();
+    for (const std::size_t k : which) chosen.push_back(contacts[k]);
+    act(std::span<const DigitContact>(chosen));
+  };
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 1; j < n; ++j) pass({i, j});
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 1; j < n; ++j)
+      for (std::size_t k = j + 1; k < n; ++k) pass({i, j, k});
+}
+
 }  // namespace
 
 std::vector<Digit> digits_of(DigitSet set) {
@@ -93,41 +155,13 @@ double hand_scale_m(const HandModel& hand) noexcept {
 
 GraspCriteria grasp_criteria(std::span<const DigitContact> contacts, const HandInSpace& hand,
                              const Pose& X_WO, double hand_scale_m, const PadFriction& friction) {
-  GraspCriteria criteria;
-  for (const DigitContact& contact : contacts) criteria.digits |= 1U << index_of(contact.digit);
-  const std::vector<Contact> soft = as_scene_contacts(contacts, friction);
-  const std::vector<Eigen::Index> rows{0, 1, 2, 3, 4, 5};
-  const Scales scales = default_scales(soft);
-  criteria.length_scale_m = scales.length_m;
-  criteria.force_closure = force_closure(soft, rows);
-
-  const Eigen::MatrixXd G = grasp_map(soft);
-  const Eigen::MatrixXd G_scaled = scaled_grasp_map(soft, rows, scales);
-  const Eigen::MatrixXd J = contact_jacobian(contacts, hand, X_WO);
-  Eigen::VectorXd unit = Eigen::VectorXd::Ones(J.rows());
-  for (Eigen::Index k = 3; k < unit.size(); k += kCoordinates) unit[k] = scales.torsion_m;
-  const Eigen::MatrixXd J_scaled = unit.asDiagonal() * J / hand_scale_m;
-
-  constexpr unsigned kThin = Eigen::ComputeThinU | Eigen::ComputeThinV;
-  const Eigen::JacobiSVD<Eigen::MatrixXd> scaled(G_scaled.transpose(), kThin);
-  criteria.G = six_values(scaled.singularValues());
-  if (!full_rank(criteria.G, G.cols())) {
-    criteria.G.least = criteria.G.product = 0.0;
-    return criteria;
-  }
-  const auto values_of = [](const Eigen::MatrixXd& map) {
-    return six_values(Eigen::JacobiSVD<Eigen::MatrixXd>(map).singularValues());
-  };
-  // (G^T)^+ J by the factors of G^T = U S V^T: V S^-1 U^T J.
-  const auto moved_by = [](const Eigen::JacobiSVD<Eigen::MatrixXd>& svd,
-                           const Eigen::MatrixXd& J_h) {
-    return Eigen::MatrixXd(svd.matrixV() * svd.singularValues().cwiseInverse().asDiagonal() *
-                           svd.matrixU().transpose() * J_h);
-  };
-  criteria.H = values_of(moved_by(scaled, J_scaled));
-  const Eigen::JacobiSVD<Eigen::MatrixXd> raw(G.transpose(), kThin);
+  const GraspMaps maps(contacts, hand, X_WO, friction);
+  GraspCriteria criteria = scaled_criteria(maps, hand_scale_m);
+  criteria.force_closure = force_closure(maps.soft, kAllRows);
+  if (criteria.G.least == 0.0) return criteria;
+  const SvdOfMap raw(grasp_map(maps.soft).transpose(), kThin);
   criteria.G_raw = six_values(raw.singularValues());
-  criteria.H_raw = values_of(moved_by(raw, J));
+  criteria.H_raw = values_of(moved_by(raw, maps.J));
   return criteria;
 }
 
@@ -135,19 +169,37 @@ std::vector<GraspCriteria> criteria_of_sets(std::span<const DigitContact> contac
                                             const HandInSpace& hand, const Pose& X_WO,
                                             double hand_scale_m, const PadFriction& friction) {
   std::vector<GraspCriteria> all;
-  const std::size_t n = contacts.size();
-  std::vector<DigitContact> chosen;
-  const auto add = [&](std::initializer_list<std::size_t> which) {
-    chosen.clear();
-    for (const std::size_t k : which) chosen.push_back(contacts[k]);
-    all.push_back(grasp_criteria(chosen, hand, X_WO, hand_scale_m, friction));
-  };
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = i + 1; j < n; ++j) add({i, j});
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = i + 1; j < n; ++j)
-      for (std::size_t k = j + 1; k < n; ++k) add({i, j, k});
+  for_each_set(contacts, [&](std::span<const DigitContact> set) {
+    all.push_back(grasp_criteria(set, hand, X_WO, hand_scale_m, friction));
+  });
   return all;
+}
+
+std::optional<BestGrasp> feasible_grasp(std::span<const DigitContact> contacts,
+                                        const HandInSpace& hand, const Pose& X_WO,
+                                        double hand_scale_m, const PadFriction& friction,
+                                        const GraspLimits& limits) {
+  std::vector<GraspCriteria> sets;
+  std::vector<std::vector<Contact>> pads;
+  for_each_set(contacts, [&](std::span<const DigitContact> set) {
+    GraspMaps maps(set, hand, X_WO, friction);
+    sets.push_back(scaled_criteria(maps, hand_scale_m));
+    pads.push_back(std::move(maps.soft));
+  });
+  // Force closure costs the most: it is asked of the best set, then of the next.
+  GraspLimits algebra = limits;
+  algebra.closure = false;
+  for (;;) {
+    const auto best = best_grasp(sets, algebra);
+    if (!best || !limits.closure) return best;
+    const auto at = std::find_if(sets.begin(), sets.end(), [&](const GraspCriteria& set) {
+      return set.digits == best->digits;
+    });
+    const auto k = at - sets.begin();
+    if (force_closure(pads[static_cast<std::size_t>(k)], kAllRows)) return best;
+    sets.erase(at);
+    pads.erase(pads.begin() + k);
+  }
 }
 
 std::optional<BestGrasp> best_grasp(std::span<const GraspCriteria> sets,

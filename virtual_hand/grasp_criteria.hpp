@@ -87,4 +87,12 @@ struct BestGrasp {
 [[nodiscard]] std::optional<BestGrasp> best_grasp(std::span<const GraspCriteria> sets,
                                                   const GraspLimits& limits);
 
+/// best_grasp() of all sets, asking for force closure only where the algebra passes: for a session,
+/// when the contacts change.
+[[nodiscard]] std::optional<BestGrasp> feasible_grasp(std::span<const DigitContact> contacts,
+                                                      const HandInSpace& hand, const Pose& X_WO,
+                                                      double hand_scale_m,
+                                                      const PadFriction& friction,
+                                                      const GraspLimits& limits);
+
 }  // namespace isograsp::virtual_hand

@@ -25,6 +25,14 @@ struct LinkCoupling {
 };
 
 /// Force and torque on the virtual link; each keeps its direction where it saturates.
+struct CoupledLink {
+  Wrench wrench;
+  double force_share = 1.0;  ///< of what spring and damper ask for; 1: it does not saturate
+  double torque_share = 1.0;
+};
+[[nodiscard]] CoupledLink coupled_link(const LinkCoupling& coupling, const LinkMotion& is,
+                                       const LinkMotion& tracked) noexcept;
+/// The wrench of coupled_link().
 [[nodiscard]] Wrench coupling_wrench(const LinkCoupling& coupling, const LinkMotion& is,
                                      const LinkMotion& tracked) noexcept;
 

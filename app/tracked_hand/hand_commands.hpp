@@ -25,6 +25,8 @@ void add_hand_grasp(Subcommand hand);
 void add_hand_traces(Subcommand hand);
 /// calibrate, angles, convert (app/tracked_hand/hand_streams.cpp).
 void add_hand_streams(Subcommand hand);
+/// hold, squeeze, slide (app/tracked_hand/hand_world.cpp).
+void add_hand_world(Subcommand hand);
 
 /// The hand of a file (isograsp-hand-1).
 [[nodiscard]] Result<virtual_hand::HandModel> load_hand(const std::string& path);

@@ -154,5 +154,22 @@ TEST(GraspCriteria, FeasibleAsksForForceClosureUnlessToldOtherwise) {
   }
 }
 
+TEST(GraspCriteria, TheFeasibleGraspOfASessionIsTheBestOfAllSets) {
+  AtLeast some(5);
+  for (const auto& [id, one] : every(golden_cases()))
+    for (const GraspLimits& limits :
+         {GraspLimits{}, GraspLimits{0.1, 0.02, 1e-5, 0.2, 1e-4, true},
+          GraspLimits{0.1, 0.02, 1e-5, 0.2, 1e-4, false}, GraspLimits{0.0, 0.0, 0.0, 9.0, 9.0}}) {
+      const auto of_all = best_grasp(one.criteria(), limits);
+      const auto at_once = feasible_grasp(one.contacts, hand_in_space(one.hand, one.pose), one.X_WO,
+                                          hand_scale_m(one.hand), {}, limits);
+      ASSERT_EQ(of_all.has_value(), at_once.has_value()) << id;
+      if (!of_all) continue;
+      ++some;
+      EXPECT_EQ(name_of(of_all->digits), name_of(at_once->digits)) << id;
+      EXPECT_EQ(of_all->product, at_once->product) << id;
+    }
+}
+
 }  // namespace
 }  // namespace isograsp::grasp_criteria_test

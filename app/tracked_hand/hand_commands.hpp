@@ -25,6 +25,8 @@ void add_hand_grasp(Subcommand hand);
 void add_hand_traces(Subcommand hand);
 /// calibrate, angles, convert (app/tracked_hand/hand_streams.cpp).
 void add_hand_streams(Subcommand hand);
+/// record, emulate (app/tracked_hand/hand_live.cpp).
+void add_hand_live(Subcommand hand);
 
 /// The hand of a file (isograsp-hand-1).
 [[nodiscard]] Result<virtual_hand::HandModel> load_hand(const std::string& path);

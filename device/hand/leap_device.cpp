@@ -26,6 +26,7 @@ namespace {
 
 constexpr std::uint16_t kLeapPort = 6437;
 constexpr const char* kLeapPath = "/v6.json";
+constexpr std::size_t kLeapPiece = std::size_t{1} << 16;
 constexpr std::chrono::seconds kLeapConnecting{2};
 constexpr std::chrono::milliseconds kLeapAgain{250};
 /// Without a word for so long, not even the answer to a ping, the connection counts as lost.
@@ -99,7 +100,7 @@ class LeapReceiver final : public HandReceiver {
     timeout.idle_timeout = kLeapIdle;
     timeout.keep_alive_pings = true;
     socket.set_option(timeout);
-    socket.read_message_max(LeapDecoder::kLongestMessage);
+    socket.read_message_max(0);  // listen() watches it
     socket.async_handshake(host_.host + ":" + std::to_string(host_.port), kLeapPath,
                            step([this](beast::error_code failure) {
                              if (failure) return lose(HandReception::Link::no_service);
@@ -116,18 +117,20 @@ class LeapReceiver final : public HandReceiver {
                            if (!failure) wish(which + 1);  // listen() hears of a failure
                          }));
   }
+  /// A message comes in as many pieces as it likes. Its length is watched here: what Beast ends by
+  /// itself it tells only when the other end has hung up, and as if that had ended it.
   void listen() {
-    socket_->async_read(
-        buffer_, step([this](beast::error_code failure) {
-          if (failure) {
-            // The other end closed it, or it broke what the protocol allows.
-            if (failure.category() == beast::error_code(websocket::error::closed).category() &&
-                failure != websocket::error::closed)
-              desk_->malformed();
+    socket_->async_read_some(
+        buffer_, kLeapPiece, step([this](beast::error_code failure) {
+          if (failure) return lose(HandReception::Link::lost);
+          if (buffer_.size() > LeapDecoder::kLongestMessage) {
+            desk_->malformed();
             return lose(HandReception::Link::lost);
           }
-          hear({static_cast<const char*>(buffer_.data().data()), buffer_.size()});
-          buffer_.consume(buffer_.size());
+          if (socket_->is_message_done()) {
+            hear({static_cast<const char*>(buffer_.data().data()), buffer_.size()});
+            buffer_.consume(buffer_.size());
+          }
           listen();
         }));
   }

@@ -27,6 +27,8 @@ void add_hand_traces(Subcommand hand);
 void add_hand_streams(Subcommand hand);
 /// hold, squeeze, slide (app/tracked_hand/hand_world.cpp).
 void add_hand_world(Subcommand hand);
+/// record, emulate (app/tracked_hand/hand_live.cpp).
+void add_hand_live(Subcommand hand);
 
 /// The hand of a file (isograsp-hand-1).
 [[nodiscard]] Result<virtual_hand::HandModel> load_hand(const std::string& path);

@@ -16,6 +16,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr double kMillimetre = 1e-3;
+constexpr double kMicrosecond = 1e-6;
 /// From the middle of the palm to the wrist, where the service does not tell it.
 constexpr double kPalmToWrist_m = 0.045;
 /// Farther away no camera of a desk sees a hand.
@@ -111,12 +112,19 @@ auto LeapDecoder::take(std::string_view message, std::vector<HandFrame>& hands) 
   if (message.size() > kLongestMessage) return Kind::damaged;
   const Json json = Json::parse(message, nullptr, false);
   if (!json.is_object()) return Kind::damaged;
-  if (!json.contains("timestamp")) return Kind::notice;
+  if (!json.contains("timestamp")) {
+    if (const auto told = json.find("serviceVersion"); told != json.end() && told->is_string())
+      service_ = told->get<std::string>();
+    return Kind::notice;
+  }
   const auto time_us = whole_of(json, "timestamp");
   const auto found = json.find("hands");
   const auto pointed = json.find("pointables");
   if (!time_us || *time_us < 0 || found == json.end() || !found->is_array()) return Kind::damaged;
-  if (first_us_ && *time_us <= last_us_) return Kind::late;
+  if (first_us_ && *time_us <= last_us_) {
+    late_s_ = kMicrosecond * static_cast<double>(last_us_ - *time_us);
+    return Kind::late;
+  }
   if (!first_us_) first_us_ = *time_us;
   last_us_ = *time_us;
   static const Json kNone = Json::array();
@@ -133,10 +141,12 @@ auto LeapDecoder::take(std::string_view message, std::vector<HandFrame>& hands) 
     if (known_[s] && !here[s]) hands.push_back(not_tracked(side));
     known_[s] = known_[s] || here[s];
   }
-  constexpr double kMicrosecond = 1e-6;
-  for (HandFrame& hand : hands)
-    hand.t_s = static_cast<double>(*time_us - *first_us_) * kMicrosecond;
+  for (HandFrame& hand : hands) hand.t_s = time_s();
   return Kind::frame;
+}
+
+double LeapDecoder::time_s() const noexcept {
+  return first_us_ ? static_cast<double>(last_us_ - *first_us_) * kMicrosecond : 0.0;
 }
 
 }  // namespace isograsp

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -28,10 +29,20 @@ class LeapDecoder {
   /// Of a frame: one entry for each hand in it, and one that is not tracked for a hand that was
   /// there before. Of two hands of one side the first counts.
   [[nodiscard]] Kind take(std::string_view message, std::vector<HandFrame>& hands);
+  /// Time of the last frame, since the first one [s].
+  [[nodiscard]] double time_s() const noexcept;
+  /// How far the last message that was late lay behind [s].
+  [[nodiscard]] double late_s() const noexcept { return late_s_; }
+  /// The clock of the service began anew: the next frame is the first. Hands stay known.
+  void restart() noexcept { first_us_.reset(); }
+  /// Version that the service has told; empty: none.
+  [[nodiscard]] const std::string& service() const noexcept { return service_; }
 
  private:
   std::optional<std::int64_t> first_us_;
   std::int64_t last_us_ = 0;
+  double late_s_ = 0.0;
+  std::string service_;
   std::array<bool, 2> known_{};  ///< sides that were seen
 };
 

@@ -6,8 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/files.hpp"
+#include "tests/support/background_command.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/every.hpp"
+#include "tests/support/free_port.hpp"
 #include "tests/support/golden_table.hpp"
 #include "tests/support/recorded_data.hpp"
 #include "tests/support/within.hpp"
@@ -173,6 +175,65 @@ TEST(HandCommands, MessagesOfATrackerBecomeTheStreamThatTheyAre) {
         }
       }
   }
+}
+
+TEST(HandCommands, WhatIsPlayedAsTheLeapServiceIsRecordedToTheLastRow) {
+  const std::string data = test::recorded_data() + "/hand/";
+  if (!fs::exists(data)) GTEST_SKIP() << "the recordings are not there";
+  const TemporaryFolder folder;
+  const std::string at = "127.0.0.1:" + std::to_string(test::free_port());
+  const test::BackgroundCommand tracker("\"" ISOGRASP_EXECUTABLE
+                                        "\" hand emulate --json --fault split --stream " +
+                                        data + "leap_pinch.csv --listen " + at);
+  test::CommandResult done;
+  ASSERT_TRUE(tracker.wait_until([&] {
+    done = isograsp("hand record --stream leap://" + at + " --side right --out " +
+                    folder.path("r.csv") + " --duration 20");
+    return done.status == 0;
+  })) << done.err
+      << tracker.err();
+  tracker.wait_for_end();
+  EXPECT_EQ(nlohmann::json::parse(tracker.out()).at("frames"), 133);
+  constexpr double kMillimetres_m = 1e-12;  // to millimetres and back
+  constexpr double kMicrosecond_s = 1e-6;
+  const auto rows = test::golden_table(folder.path("r.csv"));
+  const auto wanted = test::golden_table(data + "leap_pinch.csv");
+  ASSERT_EQ(rows.size(), wanted.size());
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    for (const auto& [column, text] : wanted[k]) {
+      if (column.ends_with("_m")) {
+        ASSERT_EQ(rows[k].at(column).empty(), text.empty()) << column;
+        if (!text.empty()) {
+          EXPECT_WITHIN(test::number_in(rows[k], column), test::number_in(wanted[k], column),
+                        kMillimetres_m);
+        }
+      } else if (column == "hand" || column == "tracked") {
+        EXPECT_EQ(rows[k].at(column), text);
+      } else {
+        EXPECT_WITHIN(test::number_in(rows[k], column), test::number_in(wanted[k], column),
+                      kMicrosecond_s)
+            << column;
+      }
+    }
+}
+
+TEST(HandCommands, WhatCannotBeRecordedIsNamedAndNothingIsWritten) {
+  const TemporaryFolder folder;
+  const std::string out = folder.path("out.csv");
+  for (const auto& [words, message] : every(std::vector<std::pair<std::string, std::string>>{
+           {"record --stream leap://127.0.0.1:" + std::to_string(test::free_port()),
+            "nobody answers"},
+           {"record --stream sim://hand?user=healthy", "no simulated user"},
+           {"record --stream udp-hand://0.0.0.0:6440", "network=confirmed"},
+           {"record --stream replay://" + folder.path("none.csv"), "none.csv"}})) {
+    const auto done = isograsp("hand " + words + " --duration 1 --out " + out);
+    EXPECT_NE(done.status, 0) << words;
+    EXPECT_NE(done.err.find(message), std::string::npos) << words << "\n" << done.err;
+    EXPECT_FALSE(fs::exists(out)) << words;
+  }
+  EXPECT_NE(isograsp("hand emulate --stream x.csv --listen 127.0.0.1:1 --fault explode")
+                .err.find("there is no such fault"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -29,6 +29,8 @@ void add_hand_streams(Subcommand hand);
 void add_hand_world(Subcommand hand);
 /// record, emulate (app/tracked_hand/hand_live.cpp).
 void add_hand_live(Subcommand hand);
+/// plan (app/tracked_hand/hand_study.cpp).
+void add_hand_study(Subcommand hand);
 
 /// The hand of a file (isograsp-hand-1).
 [[nodiscard]] Result<virtual_hand::HandModel> load_hand(const std::string& path);

@@ -41,7 +41,7 @@ struct SlideResult {
   double last_slip = 0.0;  ///< v / (w R) where a thousandth of its speed was left
   bool stopped = false;    ///< within kLongest_s
 };
-inline constexpr double kLongest_s = 600.0;
+inline constexpr double kLongest_s = 60.0;
 [[nodiscard]] SlideResult slide(const Slide& setup) noexcept;
 
 }  // namespace isograsp::hand_world

@@ -52,6 +52,10 @@ Result<HoldCase> read_hold(const std::string& path) {
   HoldCase hold;
   (void)root->text("name");
   hold.duration_s = read_positive(*root, "duration_s");
+  constexpr double kLongestHold_s = 3600.0;
+  if (hold.duration_s > kLongestHold_s)
+    root->fail("duration_s", "is out of range"_text,
+               "write seconds, at most %1"_text(format_number(kLongestHold_s)));
   hold.anchors = std::filesystem::path(path).parent_path() / root->text("anchors");
   TomlReader object = root->table("object");
   (void)object.choice("shape", {"box"});
@@ -95,6 +99,8 @@ Result<std::vector<HoldRow>> read_anchors(const HoldCase& hold) {
     rows.push_back(std::move(now));
   });
   if (!read) return read.error();
+  if (rows.empty())
+    return refused("the file has no rows"_text, "give at least one"_text).at(hold.anchors);
   return rows;
 }
 
@@ -139,7 +145,7 @@ Result<void> run_hand_hold(const HandHoldOptions& options) {
       const HoldRow& last = (*rows)[r - 1];
       const double span_s = now.t_s - last.t_s;
       const double count = std::ceil(span_s / options.step_s - kSlack_s);
-      for (int k = 0; k < static_cast<int>(count); ++k) {
+      for (double k = 0.0; k < count; k += 1.0) {
         const double share = (k + 0.5) / count;
         for (std::size_t p = 0; p < now.points.size(); ++p) {
           const Vec3 way = now.points[p] - last.points[p];

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs every engine on every case and writes results.csv, scenes.csv, kernels.csv, machine.json,
-then scoring.csv and scoring.json (--scoring: only these), markers.csv and markers.json (--markers).
+then scoring.csv and scoring.json (--scoring: only these), markers.csv and markers.json (--markers),
+hand_world.csv and hand_world.json (--hand).
 
 Each engine is a program of its own (bench/harness.hpp): one that aborts, hangs or diverges gets
 that as its status and takes nobody with it. Errors are measured once, times in rounds that go
@@ -154,7 +155,7 @@ def machine(source, build, core, peers, counter):
         found = re.search(rf"^\s*{re.escape(name)}:\s*(.*)$", lscpu, re.MULTILINE)
         return found[1] if found else ""
 
-    measured = ["core", "hand", "grasp_model", "statistics", "tasks", "bench", "CMakeLists.txt", "cmake"]
+    measured = ["core", "hand", "grasp_model", "virtual_hand", "hand_world", "statistics", "tasks", "bench", "CMakeLists.txt", "cmake"]
     git = ["git", "-C", str(source)]
     return {
         "processor": cpu("Model name"), "family_model_stepping":
@@ -217,6 +218,21 @@ def measure_markers(build, out, pin, described):
     (out / "markers.json").write_text(json.dumps({**described, "load": load}, indent=2) + "\n")
 
 
+def measure_hand(build, out, pin, described):
+    """Medians of the rounds, which the program makes one after the other."""
+    note("hand and object")
+    load = f"{os.getloadavg()[0]:.1f}"
+    columns = ["case", "median_ns", "p99_ns", "sweeps", "residual_m_s", "error_m"]
+    rounds = [[line.split("\t") for line in subprocess.run(
+        [*pin, build / "bench/bench_hand_world"], stdout=subprocess.PIPE, text=True,
+        check=True).stdout.splitlines()] for _ in range(ROUNDS)]
+    rows = [dict(zip(columns, [cases[0][0]] + [
+        digits(statistics.median(map(float, values))) if values[0] else ""
+        for values in list(zip(*cases))[1:]])) for cases in zip(*rounds)]
+    write_csv(out / "hand_world.csv", columns, rows)
+    (out / "hand_world.json").write_text(json.dumps({**described, "load": load}, indent=2) + "\n")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--source", type=pathlib.Path, required=True)
@@ -225,6 +241,7 @@ def main():
     parser.add_argument("--peers", action="store_true")
     parser.add_argument("--scoring", action="store_true")
     parser.add_argument("--markers", action="store_true")
+    parser.add_argument("--hand", action="store_true")
     options = parser.parse_args()
     build, out = options.build.resolve(), options.out.resolve()
     out.mkdir(parents=True, exist_ok=True)
@@ -234,6 +251,9 @@ def main():
     pin = ["taskset", "-c", str(core)] if shutil.which("taskset") else []
     if options.scoring:
         measure_scoring(build, out, pin, machine(options.source, build, core, False, ""))
+        return
+    if options.hand:
+        measure_hand(build, out, pin, machine(options.source, build, core, False, ""))
         return
     if options.markers:
         measure_markers(build, out, pin, machine(options.source, build, core, False, ""))
@@ -296,6 +316,7 @@ def main():
     (out / "machine.json").write_text(json.dumps(described, indent=2) + "\n")
     measure_scoring(build, out, pin, described)
     measure_markers(build, out, pin, described)
+    measure_hand(build, out, pin, described)
 
 
 if __name__ == "__main__":

@@ -250,6 +250,16 @@ def markers(results):
     return f"{conditions(results.markers_machine)}\n\n{lines}"
 
 
+def hand(results):
+    def counted(row, column, form, scale=1.0):
+        return form.format(scale * float(row[column])) if row[column] else ""
+    rows = [[r["case"], time(float(r["median_ns"])), time(float(r["p99_ns"])), counted(r, "sweeps", "{:.0f}"),
+             counted(r, "residual_m_s", "{:.2g} µm/s", 1e6), counted(r, "error_m", "{:.2g} mm", 1e3)]
+            for r in results.hand]
+    lines = table(["", "median", "99th percentile", "sweeps", "residual, 99th percentile", "error of the step"], rows)
+    return f"{conditions(results.hand_machine)}\n\n{lines}"
+
+
 def scoring(results):
     lines = table(["", "processor time"],
                   [[s["scoring"].replace("/", ", ").replace("_", " "), time(float(s["ms"]) * 1e6)]
@@ -262,7 +272,7 @@ def main(folder, page):
     text = (pathlib.Path(__file__).parent / "performance.md.in").read_text()
     fields = dict(machine=machine(results), noise=noise(results), ours=ours(results),
                   scenes=scenes(results), kernels=kernels(results),
-                  scoring=scoring(results), markers=markers(results), by_hand=by_hand(results),
+                  scoring=scoring(results), markers=markers(results), hand=hand(results), by_hand=by_hand(results),
                   hand_wins=hand_wins(results))
     if results.machine["peers"]:
         fields.update(closest=closest(results), levels=levels(results, False),

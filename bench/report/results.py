@@ -69,6 +69,9 @@ class Results:
         with open(folder / "markers.csv", newline="") as file:
             self.markers = list(csv.DictReader(file))
         self.markers_machine = json.loads((folder / "markers.json").read_text())
+        with open(folder / "hand_world.csv", newline="") as file:
+            self.hand = list(csv.DictReader(file))
+        self.hand_machine = json.loads((folder / "hand_world.json").read_text())
         self.machine = json.loads((folder / "machine.json").read_text())
 
     def of(self, scene):

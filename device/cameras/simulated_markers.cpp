@@ -90,7 +90,9 @@ class SimulatedMarkers final : public MarkerDevice {
 }  // namespace
 
 Result<std::unique_ptr<MarkerDevice>> open_simulated_markers(const Uri& uri, MarkerSource* source) {
-  if (auto known = uri.require_known({"patient", "seed", "rate", "rig", "hand", "drop"}); !known)
+  if (auto known =
+          uri.require_known({"patient", "seed", "rate", "rig", "hand", "drop", "recovery", "day"});
+      !known)
     return known.error();
   if (uri.target != "arm")
     return refused("'%1' is nothing that cameras could see"_text(uri.target),

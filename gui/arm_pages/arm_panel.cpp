@@ -50,6 +50,33 @@ QString angle_words(const LinkTurns::Turn& turn) {
   return ArmPanel::tr("%1, %2 %").arg(angle, QLocale().toString(*turn.share_percent, 'f', 0));
 }
 
+/// "4:05".
+QString minutes_words(double time_s) {
+  constexpr int kMinute_s = 60;
+  const int whole_s = static_cast<int>(time_s);
+  return QStringLiteral("%1:%2")
+      .arg(whole_s / kMinute_s)
+      .arg(whole_s % kMinute_s, 2, 10, QLatin1Char('0'));
+}
+
+/// "Practice 4:05 of 15:00 on a first visit; bout 2: 1:05 of 3:00. Later visits: …"
+QString practice_words(const PracticeClock& clock) {
+  const auto first =
+      ArmPanel::tr("Practice %1 of %2 on a first visit; bout %3: %4 of %5.")
+          .arg(minutes_words(clock.total_s()), minutes_words(PracticeClock::kFirstVisit_s))
+          .arg(clock.bout())
+          .arg(minutes_words(clock.bout_s()), minutes_words(PracticeClock::kBout_s));
+  const auto apart = clock.difference();
+  if (!apart) return first;
+  constexpr double kPercent = 100.0;
+  const auto difference = QLocale().toString(kPercent * *apart, 'f', 0);
+  return clock.enough_later()
+             ? ArmPanel::tr("%1 Last two movements %2 % apart: ✓ enough on a later visit.")
+                   .arg(first, difference)
+             : ArmPanel::tr("%1 Last two movements %2 % apart: one more on a later visit.")
+                   .arg(first, difference);
+}
+
 QString way_words(PictureCheck::Way way) {
   switch (way) {
     case PictureCheck::Way::right:
@@ -150,6 +177,14 @@ void ArmPanel::make_task() {
   line->addWidget(reached_, 0, Qt::AlignTop);
   line->addWidget(error_, 1);
   column_->addLayout(line);
+  practice_ = new QLabel;
+  practice_->setObjectName("arm_practice");
+  practice_->setWordWrap(true);
+  practice_->setToolTip(
+      tr("On a first visit 15 minutes, in bouts of 3 with a rest between them; later until two "
+         "movements on end differ by less than 10 %, four at most. Practice is work, too"));
+  practice_->hide();
+  column_->addWidget(practice_);
 }
 
 /// Each link: how far it has turned since the target appeared, and its share of that.
@@ -188,6 +223,7 @@ void ArmPanel::show_nothing() {
   }
   views_->show_nothing();
   markers_->show_nothing();
+  practice_->hide();
   remark_->hide();
   health_->clear();
   shows_ = false;
@@ -207,7 +243,11 @@ void ArmPanel::refresh() {
   refresh_links(*open);
   // Numbers that change thirty times a second cannot be read: twice is enough.
   constexpr int kTextEvery = 30;
-  if (polls_ % kTextEvery == 1) refresh_cameras(*open);
+  if (polls_ % kTextEvery != 1) return;
+  refresh_cameras(*open);
+  const PracticeClock& practice = open->traces.practice;
+  practice_->setText(practice_words(practice));
+  practice_->setVisible(practice.begun() && (!open->trial || open->trial->practice));
 }
 
 void ArmPanel::refresh_task(const OpenSession& open) {

@@ -37,6 +37,7 @@ class ArmPanel final : public Card {
   QLabel* check_words_;
   QLabel* reached_;
   QLabel* error_;
+  QLabel* practice_;
   struct LinkRow {
     QLabel* angle;
     QProgressBar* share;

@@ -81,10 +81,10 @@ void MarkerTable::show_arm(const session::ArmSnapshot& now, const MarkerHistory&
     const FramePose& pose = now.segment(segment);
     const auto seen = history.segment_percent(segment);
     put(row, 1, percent(seen), seldom(seen));
+    // A frame built from points goes through them: there is nothing that it could miss.
+    const bool fitted = std::isfinite(pose.residual_m) && pose.residual_m > 0.0;
     put(row, 2,
-        std::isfinite(pose.residual_m)
-            ? tr("%1 mm").arg(locale.toString(kMilli_m * pose.residual_m, 'f', 1))
-            : QString());
+        fitted ? tr("%1 mm").arg(locale.toString(kMilli_m * pose.residual_m, 'f', 1)) : tr("–"));
     put(row, 3, sight_words(pose.state), !has_pose(pose.state));
     ++row;
   }

@@ -24,6 +24,7 @@ class Card : public QFrame {
     column_->addWidget(title_);
   }
 
+  void set_title(const QString& title) { title_->setText(title); }
   /// What stands in the card, below its title.
   [[nodiscard]] QVBoxLayout& column() noexcept { return *column_; }
 

@@ -53,7 +53,6 @@ session::SessionConfig Connecting::session_config(bool clock_is_right) const {
   const Choices& choices = state_.choices;
   const GuiConfig& started = state_.config;
   const Settings& settings = settings_.now();
-  const Screening& screening = choices.today.screening;
   session::SessionConfig config;
   config.database = started.database;
   config.patient_code = choices.patient;
@@ -66,9 +65,14 @@ session::SessionConfig Connecting::session_config(bool clock_is_right) const {
                          : !started.operator_name.empty() ? started.operator_name
                                                           : settings.operator_name;
   config.realtime = started.realtime;
-  config.allowed = screening.allowed;
-  config.ceiling_N = screening.ceiling_N;
-  config.answers = stored(screening);
+  if (state_.measures_arm()) {
+    config.allowed = choices.today.arm_screening.allowed;
+    config.answers = stored(choices.today.arm_screening);
+  } else {
+    config.allowed = choices.today.screening.allowed;
+    config.ceiling_N = choices.today.screening.ceiling_N;
+    config.answers = stored(choices.today.screening);
+  }
   for (auto& answer : stored(seating_.presentation())) config.answers.push_back(std::move(answer));
   const auto& delay_s = settings.display_delay_s;
   config.answers.push_back(

@@ -48,7 +48,10 @@ void SessionChoices::choose_hand(Hand hand) {
   if (!flow_.view().may_change_hand) return;
   state_.connection.failure.reset();
   auto& today = state_.choices.today;
-  if (today.hand != hand) today.screening = {};  // its outcome is that of one hand
+  if (today.hand != hand) {  // its outcome is that of one hand
+    today.screening = {};
+    today.arm_screening = {};
+  }
   today.hand = hand;
   today.hand_confirmed = false;
   look_for_earlier();
@@ -66,6 +69,13 @@ void SessionChoices::answer_screening(const Screening& answers) {
   if (state_.busy() || answers == state_.choices.today.screening) return;
   state_.connection.failure.reset();
   state_.choices.today.screening = answers;
+  flow_.update();
+}
+
+void SessionChoices::answer_screening(const ArmScreening& answers) {
+  if (state_.busy() || answers == state_.choices.today.arm_screening) return;
+  state_.connection.failure.reset();
+  state_.choices.today.arm_screening = answers;
   flow_.update();
 }
 

@@ -22,6 +22,7 @@ class SessionChoices final : public QObject {
   /// The chosen hand is not the affected one, and that is meant.
   void confirm_hand();
   void answer_screening(const Screening& answers);
+  void answer_screening(const ArmScreening& answers);
   void choose_device(const std::string& uri);
   /// Place in the library; nothing: tasks are chosen one by one.
   void choose_protocol(std::optional<int> place);

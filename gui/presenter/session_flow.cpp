@@ -86,7 +86,8 @@ FlowFacts SessionFlow::facts() const {
   facts.patient_chosen = !choices.patient.empty();
   facts.hand_to_confirm = hand_to_confirm();
   facts.hand_chosen = choices.today.hand && !facts.hand_to_confirm;
-  facts.screened = choices.today.screening.complete();
+  facts.screened = state_.measures_arm() ? choices.today.arm_screening.complete()
+                                         : choices.today.screening.complete();
   facts.earlier_sought = choices.interrupted.sought;
   facts.earlier_undecided = choices.interrupted.acts.has_value() && !choices.interrupted.go_on;
   facts.device_chosen = !choices.device_uri.empty();

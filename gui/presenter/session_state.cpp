@@ -38,6 +38,7 @@ void OpenSession::look() {
   static_cast<session::Moment&>(snapshot) = *newest;  // one frame, not two
   still.add(*arm);
   traces.markers.add(*arm);
+  traces.practice.add(*arm, trial && trial->practice);
   traces.turns.add(*arm);
 }
 

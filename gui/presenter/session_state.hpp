@@ -19,9 +19,11 @@
 #include "gui/look/marker_history.hpp"
 #include "gui/presenter/gui_config.hpp"
 #include "gui/rules/arm_live.hpp"
+#include "gui/rules/arm_screening.hpp"
 #include "gui/rules/arm_space.hpp"
 #include "gui/rules/flow.hpp"
 #include "gui/rules/picture_check.hpp"
+#include "gui/rules/practice_clock.hpp"
 #include "gui/rules/presentation.hpp"
 #include "gui/rules/protocol_guide.hpp"
 #include "gui/rules/screening.hpp"
@@ -51,6 +53,7 @@ struct Choices {
     std::optional<Hand> hand;
     bool hand_confirmed = false;  ///< by a press
     Screening screening;
+    ArmScreening arm_screening;  ///< of an arm seen by cameras, in its place
   } today;
 
   /// A protocol that was interrupted today, for all that is chosen above.
@@ -86,6 +89,7 @@ struct SessionTraces {
   ForceHistory forces{};
   MarkerHistory markers{};
   LinkTurns turns{};                    ///< of an arm, since its target appeared
+  PracticeClock practice{};             ///< of an arm, in this session
   std::vector<DeviceFaultSeen> faults;  ///< oldest first
   double worst_lateness_s = 0.0;
   std::optional<session::TrialOutcome> last_trial;

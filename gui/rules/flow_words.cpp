@@ -104,20 +104,27 @@ QString words_before_session(Situation situation, const FlowFacts& facts) {
       return FlowTexts::tr(
           "Only to look: another program has this file open. Sessions begin there.");
     case Situation::session_failed: return QString::fromStdString(facts.connection_error);
-    case Situation::connecting: return FlowTexts::tr("Connecting to the device …");
+    case Situation::connecting:
+      return facts.start_posture ? FlowTexts::tr("Connecting to the cameras …")
+                                 : FlowTexts::tr("Connecting to the device …");
     case Situation::saving: return FlowTexts::tr("Saving the session …");
     case Situation::choose_patient: return FlowTexts::tr("Choose a patient, or add a new one.");
     case Situation::confirm_hand:
       return FlowTexts::tr("This is not the affected hand. Confirm it, or choose the other.");
     case Situation::choose_hand:
+      if (facts.start_posture) return FlowTexts::tr("Which arm works today? Choose right or left.");
       return FlowTexts::tr("Which hand is in the device today? Choose right or left.");
-    case Situation::screen: return FlowTexts::tr("Ask the screening questions before any force.");
+    case Situation::screen:
+      return facts.start_posture ? FlowTexts::tr("Ask the screening questions before any movement.")
+                                 : FlowTexts::tr("Ask the screening questions before any force.");
     case Situation::seek_earlier:
       return FlowTexts::tr("Looking whether this protocol was interrupted today …");
     case Situation::ask_earlier:
       return FlowTexts::tr("This protocol was interrupted today: go on, or begin anew?");
     case Situation::choose_device: return FlowTexts::tr("Choose the device.");
-    case Situation::connect: return FlowTexts::tr("Connect the device to begin the session.");
+    case Situation::connect:
+      return facts.start_posture ? FlowTexts::tr("Connect the cameras to begin the session.")
+                                 : FlowTexts::tr("Connect the device to begin the session.");
     default: return {};
   }
 }

@@ -121,6 +121,7 @@ QWidget* DevicePage::make_check() {
 
 QWidget* DevicePage::make_sensors() {
   auto* card = new Card(tr("What the sensors counted"));
+  counted_card_ = card;
   sensors_ = new QTableWidget(static_cast<int>(kCounters.size()), 1 + kFingerCount);
   sensors_->setObjectName("sensor_counters");
   QStringList heads{tr("Samples")};
@@ -203,6 +204,8 @@ void DevicePage::refresh() {
                                     : details_of(*info, presenter_.state().measures_arm()));
   const bool is_arm = info != nullptr && presenter_.state().measures_arm();
   check_card_->setVisible(!is_arm);
+  counted_card_->set_title(is_arm ? tr("What the cameras counted")
+                                  : tr("What the sensors counted"));
   sensors_->setVisible(!is_arm);
   cameras_->setVisible(is_arm);
   const auto& faults = presenter_.state().traces().faults;

@@ -9,6 +9,7 @@
 #include <QTableWidget>
 #include <QWidget>
 
+#include "gui/look/card.hpp"
 #include "gui/presenter/session_presenter.hpp"
 #include "gui/rules/guided_check.hpp"
 #include "gui/session_pages/state_light.hpp"
@@ -47,7 +48,8 @@ class DevicePage final : public QWidget {
   QListWidget* faults_;
   QLabel* no_faults_;
   QWidget* check_card_;
-  QLabel* cameras_;  ///< in place of the sensors
+  Card* counted_card_;  ///< its title says whose counters these are
+  QLabel* cameras_;     ///< in place of the sensors
 };
 
 }  // namespace isograsp::gui

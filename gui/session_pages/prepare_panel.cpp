@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include "gui/arm_pages/arm_screening_form.hpp"
 #include "gui/look/look.hpp"
 #include "gui/session_pages/device_forms.hpp"
 #include "gui/session_pages/patient_form.hpp"
@@ -38,7 +39,7 @@ PreparePanel::PreparePanel(SessionPresenter& presenter, QWidget* parent)
   connect(patient, &PatientForm::other_patient, this, &PreparePanel::other_patient);
   const std::array<QWidget*, kStepCount> bodies{patient,
                                                 make_hand(),
-                                                new ScreeningForm(presenter_),
+                                                make_screening(),
                                                 new ConnectForm(presenter_),
                                                 make_zero(),
                                                 new StrapForm(presenter_),
@@ -61,6 +62,16 @@ PreparePanel::PreparePanel(SessionPresenter& presenter, QWidget* parent)
   connect(sections_[static_cast<std::size_t>(Step::work)], &StepSection::opened, this, share);
   connect(&presenter_.flow(), &SessionFlow::changed, this, &PreparePanel::refresh);
   refresh();
+}
+
+/// The questions about a hand, or about an arm: one of the two is shown.
+QWidget* PreparePanel::make_screening() {
+  auto* body = new QWidget;
+  auto* column = new QVBoxLayout(body);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(new ScreeningForm(presenter_));
+  column->addWidget(new ArmScreeningForm(presenter_));
+  return body;
 }
 
 /// The empty device, or the start posture of an arm: one of the two is shown.
@@ -115,7 +126,11 @@ QString PreparePanel::summary_of(Step step) const {
       return screen.isEmpty() ? code : tr("%1, %2").arg(code, screen);
     }
     case Step::hand: return !hand ? QString() : *hand == Hand::left ? tr("left") : tr("right");
-    case Step::screening: return summary(presenter_.state().choices.today.screening);
+    case Step::screening: {
+      const auto& today = presenter_.state().choices.today;
+      return presenter_.state().measures_arm() ? summary(today.arm_screening)
+                                               : summary(today.screening);
+    }
     case Step::device: return QString::fromStdString(view.device_words);
     case Step::zero:
       if (view.start_posture) return done ? tr("measured") : QString();

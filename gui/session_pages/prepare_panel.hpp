@@ -23,6 +23,7 @@ class PreparePanel final : public QWidget {
 
  private:
   [[nodiscard]] QWidget* make_hand();
+  [[nodiscard]] QWidget* make_screening();
   [[nodiscard]] QWidget* make_zero();
   [[nodiscard]] QString summary_of(Step step) const;
   void refresh();

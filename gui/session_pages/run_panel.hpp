@@ -11,8 +11,8 @@
 #include <QPushButton>
 
 #include "gui/look/card.hpp"
+#include "gui/look/score_row.hpp"
 #include "gui/presenter/session_presenter.hpp"
-#include "gui/session_pages/score_row.hpp"
 
 namespace isograsp::gui {
 

@@ -125,6 +125,7 @@ void ScreeningForm::answer(Screening answers) {
 }
 
 void ScreeningForm::refresh() {
+  show_part(*this, !presenter_.state().measures_arm());
   const auto& answers = presenter_.state().choices.today.screening;
   const auto& view = presenter_.flow().view();
   setEnabled(view.may_change_hand);

@@ -11,8 +11,8 @@
 #include <QWidget>
 #include <array>
 
+#include "gui/look/score_row.hpp"
 #include "gui/presenter/session_presenter.hpp"
-#include "gui/session_pages/score_row.hpp"
 
 namespace isograsp::gui {
 

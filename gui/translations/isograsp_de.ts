@@ -66,6 +66,129 @@
     </message>
 </context>
 <context>
+    <name>ArmScreening</name>
+    <message>
+        <source>Supination</source>
+        <translation>Supination</translation>
+    </message>
+    <message>
+        <source>Pronation</source>
+        <translation>Pronation</translation>
+    </message>
+    <message>
+        <source>Extension</source>
+        <translation>Extension</translation>
+    </message>
+    <message>
+        <source>Flexion</source>
+        <translation>Flexion</translation>
+    </message>
+    <message>
+        <source>Radial deviation</source>
+        <translation>Radialabduktion</translation>
+    </message>
+    <message>
+        <source>Ulnar deviation</source>
+        <translation>Ulnarabduktion</translation>
+    </message>
+    <message>
+        <source>Shoulder pain or subluxation</source>
+        <translation>Schulterschmerz oder Subluxation</translation>
+    </message>
+    <message>
+        <source>Contracture</source>
+        <translation>Kontraktur</translation>
+    </message>
+    <message>
+        <source>Tape allergy or broken skin</source>
+        <translation>Pflasterallergie oder Haut verletzt</translation>
+    </message>
+    <message>
+        <source>Turns the forearm by 10°, unaided</source>
+        <translation>Dreht den Unterarm selbst um 10°</translation>
+    </message>
+    <message>
+        <source>Holds the object for 10 s</source>
+        <translation>Hält den Gegenstand 10 s lang</translation>
+    </message>
+    <message>
+        <source>The arm is supported, and never pulled into its posture</source>
+        <translation>Der Arm wird gestützt und nie in eine Haltung gezogen</translation>
+    </message>
+    <message>
+        <source>Of elbow, forearm, wrist or fingers: measure the passive range and enter it below</source>
+        <translation>Von Ellbogen, Unterarm, Handgelenk oder Fingern: passiven Umfang messen und unten eintragen</translation>
+    </message>
+    <message>
+        <source>Where markers are put on: bands instead of tape</source>
+        <translation>Wo Marker sitzen: Bänder statt Pflaster</translation>
+    </message>
+    <message>
+        <source>Without it tasks of the arm are not offered</source>
+        <translation>Ohne dies werden Aufgaben des Arms nicht angeboten</translation>
+    </message>
+    <message>
+        <source>Tasks of the arm need 10° of the forearm and 10 s of holding: take the isometric tasks of the hand instead.</source>
+        <translation>Aufgaben des Arms brauchen 10° des Unterarms und 10 s Halten: stattdessen die isometrischen Aufgaben der Hand nehmen.</translation>
+    </message>
+    <message>
+        <source>Support the arm; stop where the shoulder hurts.</source>
+        <translation>Arm stützen; aufhören, wo die Schulter schmerzt.</translation>
+    </message>
+    <message>
+        <source>Enter the passive range: no target goes beyond it.</source>
+        <translation>Passiven Umfang eintragen: kein Ziel geht darüber hinaus.</translation>
+    </message>
+    <message>
+        <source>Markers on bands or clothes, no tape on the skin.</source>
+        <translation>Marker auf Bänder oder Kleidung, kein Pflaster auf die Haut.</translation>
+    </message>
+    <message>
+        <source>A passive range has no angle in it: correct its numbers.</source>
+        <translation>Ein passiver Umfang enthält keinen Winkel: Zahlen berichtigen.</translation>
+    </message>
+    <message>
+        <source>Own range</source>
+        <translation>Eigener Umfang</translation>
+    </message>
+    <message>
+        <source>Small range: half of the way</source>
+        <translation>Kleiner Umfang: halber Weg</translation>
+    </message>
+    <message>
+        <source>No movement</source>
+        <translation>Keine Bewegung</translation>
+    </message>
+    <message>
+        <source>own range</source>
+        <translation>eigener Umfang</translation>
+    </message>
+    <message>
+        <source>small range</source>
+        <translation>kleiner Umfang</translation>
+    </message>
+    <message>
+        <source>no movement</source>
+        <translation>keine Bewegung</translation>
+    </message>
+    <message>
+        <source>%1, pain %2</source>
+        <translation>%1, Schmerz %2</translation>
+    </message>
+    <message>
+        <source>Supination / pronation</source>
+        <translation>Supination / Pronation</translation>
+    </message>
+    <message>
+        <source>Extension / flexion</source>
+        <translation>Extension / Flexion</translation>
+    </message>
+    <message>
+        <source>Radial / ulnar deviation</source>
+        <translation>Radial- / Ulnarabduktion</translation>
+    </message>
+</context>
+<context>
     <name>Compensation</name>
     <message>
         <source>This measures the shoulder, too: the arm pushes the platform with %1 % of the grip. Let it rest on the support.</source>
@@ -452,6 +575,22 @@
     <message>
         <source>Measure the start posture first.</source>
         <translation>Zuerst die Ausgangshaltung messen.</translation>
+    </message>
+    <message>
+        <source>Connecting to the cameras …</source>
+        <translation>Kameras werden verbunden …</translation>
+    </message>
+    <message>
+        <source>Which arm works today? Choose right or left.</source>
+        <translation>Welcher Arm arbeitet heute? Rechts oder links wählen.</translation>
+    </message>
+    <message>
+        <source>Ask the screening questions before any movement.</source>
+        <translation>Vor jeder Bewegung die Vorab-Fragen stellen.</translation>
+    </message>
+    <message>
+        <source>Connect the cameras to begin the session.</source>
+        <translation>Kameras verbinden, um die Sitzung zu beginnen.</translation>
     </message>
 </context>
 <context>
@@ -1818,6 +1957,46 @@
         <source>both hands</source>
         <translation>beide Hände</translation>
     </message>
+    <message>
+        <source>The arm cannot be drawn: %1.</source>
+        <translation>Der Arm kann nicht gezeichnet werden: %1.</translation>
+    </message>
+    <message>
+        <source>damaged</source>
+        <translation>beschädigt</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Start posture</source>
+        <translation>Ausgangshaltung</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>Angles of the forearm</source>
+        <translation>Winkel des Unterarms</translation>
+    </message>
+    <message>
+        <source>Angles of the wrist</source>
+        <translation>Winkel des Handgelenks</translation>
+    </message>
+    <message>
+        <source>Angles of the fingers</source>
+        <translation>Winkel der Finger</translation>
+    </message>
+    <message>
+        <source>Angle %1</source>
+        <translation>Winkel %1</translation>
+    </message>
 </context>
 <context>
     <name>Rescue</name>
@@ -2057,6 +2236,81 @@
     <message>
         <source>Pictures %1   ·   lost %2   ·   damaged %3   ·   late %L4 ms</source>
         <translation>Bilder %1   ·   verloren %2   ·   beschädigt %3   ·   verspätet %L4 ms</translation>
+    </message>
+    <message>
+        <source>Practice %1 of %2 on a first visit; bout %3: %4 of %5.</source>
+        <translation>Übung %1 von %2 beim ersten Besuch; Runde %3: %4 von %5.</translation>
+    </message>
+    <message>
+        <source>%1 Last two movements %2 % apart: ✓ enough on a later visit.</source>
+        <translation>%1 Letzte zwei Bewegungen %2 % auseinander: ✓ genug bei späteren Besuchen.</translation>
+    </message>
+    <message>
+        <source>%1 Last two movements %2 % apart: one more on a later visit.</source>
+        <translation>%1 Letzte zwei Bewegungen %2 % auseinander: bei späteren Besuchen noch eine.</translation>
+    </message>
+    <message>
+        <source>On a first visit 15 minutes, in bouts of 3 with a rest between them; later until two movements on end differ by less than 10 %, four at most. Practice is work, too</source>
+        <translation>Beim ersten Besuch 15 Minuten, in Runden von 3 mit einer Pause dazwischen; später, bis zwei Bewegungen hintereinander um weniger als 10 % verschieden sind, höchstens vier. Auch Übung ist Arbeit</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::ArmScreeningForm</name>
+    <message>
+        <source>Nothing applies, no &amp;pain</source>
+        <translation>Nichts trifft &amp;zu, kein Schmerz</translation>
+    </message>
+    <message>
+        <source>Nothing applies, no pain: own range</source>
+        <translation>Nichts trifft zu, kein Schmerz: eigener Umfang</translation>
+    </message>
+    <message>
+        <source>No shoulder pain, no contracture, no tape allergy; turns by 10° and holds for 10 s (Alt+P)</source>
+        <translation>Kein Schulterschmerz, keine Kontraktur, keine Pflasterallergie; dreht um 10° und hält 10 s (Alt+Z)</translation>
+    </message>
+    <message>
+        <source>%1 (Tab, then space)</source>
+        <translation>%1 (Tab, dann Leertaste)</translation>
+    </message>
+    <message>
+        <source>Pain now, at rest</source>
+        <translation>Schmerz jetzt, in Ruhe</translation>
+    </message>
+    <message>
+        <source>Pain now</source>
+        <translation>Schmerz jetzt</translation>
+    </message>
+    <message>
+        <source>Passive range, as far as measured</source>
+        <translation>Passiver Umfang, soweit gemessen</translation>
+    </message>
+    <message>
+        <source>%1: passive range measured</source>
+        <translation>%1: passiver Umfang gemessen</translation>
+    </message>
+    <message>
+        <source>No target goes beyond this range (Tab, then space)</source>
+        <translation>Kein Ziel geht über diesen Umfang hinaus (Tab, dann Leertaste)</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>%1, passive, in degrees</source>
+        <translation>%1, passiv, in Grad</translation>
+    </message>
+    <message>
+        <source>From neutral, thumb up; negative: neutral is not reached (Tab, arrow keys)</source>
+        <translation>Ab Neutralstellung, Daumen oben; negativ: die Neutralstellung wird nicht erreicht (Tab, Pfeiltasten)</translation>
+    </message>
+    <message>
+        <source>You decide for this arm</source>
+        <translation>Sie entscheiden für diesen Arm</translation>
+    </message>
+    <message>
+        <source>%1 of this arm today (Tab, then space)</source>
+        <translation>%1 dieses Arms heute (Tab, dann Leertaste)</translation>
     </message>
 </context>
 <context>
@@ -2566,6 +2820,10 @@ Doppelt: %3
 Mit anderen Markern: %4
 Beschädigt: %5
 Neu verbunden: %6</translation>
+    </message>
+    <message>
+        <source>What the cameras counted</source>
+        <translation>Was die Kameras gezählt haben</translation>
     </message>
 </context>
 <context>

@@ -66,6 +66,129 @@
     </message>
 </context>
 <context>
+    <name>ArmScreening</name>
+    <message>
+        <source>Supination</source>
+        <translation>Supination</translation>
+    </message>
+    <message>
+        <source>Pronation</source>
+        <translation>Pronation</translation>
+    </message>
+    <message>
+        <source>Extension</source>
+        <translation>Extension</translation>
+    </message>
+    <message>
+        <source>Flexion</source>
+        <translation>Flexion</translation>
+    </message>
+    <message>
+        <source>Radial deviation</source>
+        <translation>Inclinaison radiale</translation>
+    </message>
+    <message>
+        <source>Ulnar deviation</source>
+        <translation>Inclinaison cubitale</translation>
+    </message>
+    <message>
+        <source>Shoulder pain or subluxation</source>
+        <translation>Douleur ou subluxation d’épaule</translation>
+    </message>
+    <message>
+        <source>Contracture</source>
+        <translation>Rétraction</translation>
+    </message>
+    <message>
+        <source>Tape allergy or broken skin</source>
+        <translation>Allergie au ruban, peau lésée</translation>
+    </message>
+    <message>
+        <source>Turns the forearm by 10°, unaided</source>
+        <translation>Tourne seul l’avant-bras de 10°</translation>
+    </message>
+    <message>
+        <source>Holds the object for 10 s</source>
+        <translation>Tient l’objet 10 s</translation>
+    </message>
+    <message>
+        <source>The arm is supported, and never pulled into its posture</source>
+        <translation>Le bras est soutenu, jamais tiré dans une posture</translation>
+    </message>
+    <message>
+        <source>Of elbow, forearm, wrist or fingers: measure the passive range and enter it below</source>
+        <translation>Du coude, de l’avant-bras, du poignet ou des doigts : mesurer l’amplitude passive et l’inscrire plus bas</translation>
+    </message>
+    <message>
+        <source>Where markers are put on: bands instead of tape</source>
+        <translation>Là où sont les marqueurs : des bandes au lieu du ruban</translation>
+    </message>
+    <message>
+        <source>Without it tasks of the arm are not offered</source>
+        <translation>Sans cela, les tâches du bras ne sont pas proposées</translation>
+    </message>
+    <message>
+        <source>Tasks of the arm need 10° of the forearm and 10 s of holding: take the isometric tasks of the hand instead.</source>
+        <translation>Les tâches du bras demandent 10° de l’avant-bras et 10 s de tenue : prendre plutôt les tâches isométriques de la main.</translation>
+    </message>
+    <message>
+        <source>Support the arm; stop where the shoulder hurts.</source>
+        <translation>Soutenir le bras ; arrêter là où l’épaule fait mal.</translation>
+    </message>
+    <message>
+        <source>Enter the passive range: no target goes beyond it.</source>
+        <translation>Inscrire l’amplitude passive : aucune cible ne la dépasse.</translation>
+    </message>
+    <message>
+        <source>Markers on bands or clothes, no tape on the skin.</source>
+        <translation>Marqueurs sur des bandes ou des vêtements, pas de ruban sur la peau.</translation>
+    </message>
+    <message>
+        <source>A passive range has no angle in it: correct its numbers.</source>
+        <translation>Une amplitude passive ne contient aucun angle : corriger ses nombres.</translation>
+    </message>
+    <message>
+        <source>Own range</source>
+        <translation>Amplitude propre</translation>
+    </message>
+    <message>
+        <source>Small range: half of the way</source>
+        <translation>Petite amplitude : mi-chemin</translation>
+    </message>
+    <message>
+        <source>No movement</source>
+        <translation>Aucun mouvement</translation>
+    </message>
+    <message>
+        <source>own range</source>
+        <translation>amplitude propre</translation>
+    </message>
+    <message>
+        <source>small range</source>
+        <translation>petite amplitude</translation>
+    </message>
+    <message>
+        <source>no movement</source>
+        <translation>aucun mouvement</translation>
+    </message>
+    <message>
+        <source>%1, pain %2</source>
+        <translation>%1, douleur %2</translation>
+    </message>
+    <message>
+        <source>Supination / pronation</source>
+        <translation>Supination / pronation</translation>
+    </message>
+    <message>
+        <source>Extension / flexion</source>
+        <translation>Extension / flexion</translation>
+    </message>
+    <message>
+        <source>Radial / ulnar deviation</source>
+        <translation>Inclinaison radiale / cubitale</translation>
+    </message>
+</context>
+<context>
     <name>Compensation</name>
     <message>
         <source>This measures the shoulder, too: the arm pushes the platform with %1 % of the grip. Let it rest on the support.</source>
@@ -452,6 +575,22 @@
     <message>
         <source>Measure the start posture first.</source>
         <translation>Mesurez d’abord la posture de départ.</translation>
+    </message>
+    <message>
+        <source>Connecting to the cameras …</source>
+        <translation>Connexion aux caméras …</translation>
+    </message>
+    <message>
+        <source>Which arm works today? Choose right or left.</source>
+        <translation>Quel bras travaille aujourd’hui ? Choisir droite ou gauche.</translation>
+    </message>
+    <message>
+        <source>Ask the screening questions before any movement.</source>
+        <translation>Poser les questions préalables avant tout mouvement.</translation>
+    </message>
+    <message>
+        <source>Connect the cameras to begin the session.</source>
+        <translation>Connecter les caméras pour commencer la séance.</translation>
     </message>
 </context>
 <context>
@@ -1818,6 +1957,46 @@
         <source>both hands</source>
         <translation>deux mains</translation>
     </message>
+    <message>
+        <source>The arm cannot be drawn: %1.</source>
+        <translation>Le bras ne peut pas être dessiné : %1.</translation>
+    </message>
+    <message>
+        <source>damaged</source>
+        <translation>abîmées</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>Start posture</source>
+        <translation>Posture de départ</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>mesurée</translation>
+    </message>
+    <message>
+        <source>Angles of the forearm</source>
+        <translation>Angles de l’avant-bras</translation>
+    </message>
+    <message>
+        <source>Angles of the wrist</source>
+        <translation>Angles du poignet</translation>
+    </message>
+    <message>
+        <source>Angles of the fingers</source>
+        <translation>Angles des doigts</translation>
+    </message>
+    <message>
+        <source>Angle %1</source>
+        <translation>Angle %1</translation>
+    </message>
 </context>
 <context>
     <name>Rescue</name>
@@ -2057,6 +2236,81 @@
     <message>
         <source>Pictures %1   ·   lost %2   ·   damaged %3   ·   late %L4 ms</source>
         <translation>Images %1   ·   perdues %2   ·   abîmées %3   ·   retard %L4 ms</translation>
+    </message>
+    <message>
+        <source>Practice %1 of %2 on a first visit; bout %3: %4 of %5.</source>
+        <translation>Entraînement %1 sur %2 à la première visite ; série %3 : %4 sur %5.</translation>
+    </message>
+    <message>
+        <source>%1 Last two movements %2 % apart: ✓ enough on a later visit.</source>
+        <translation>%1 Deux derniers mouvements à %2 % près : ✓ assez lors d’une visite suivante.</translation>
+    </message>
+    <message>
+        <source>%1 Last two movements %2 % apart: one more on a later visit.</source>
+        <translation>%1 Deux derniers mouvements à %2 % près : encore un lors d’une visite suivante.</translation>
+    </message>
+    <message>
+        <source>On a first visit 15 minutes, in bouts of 3 with a rest between them; later until two movements on end differ by less than 10 %, four at most. Practice is work, too</source>
+        <translation>À la première visite 15 minutes, par séries de 3 avec un repos entre elles ; ensuite jusqu’à ce que deux mouvements de suite diffèrent de moins de 10 %, quatre au plus. L’entraînement est aussi du travail</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::ArmScreeningForm</name>
+    <message>
+        <source>Nothing applies, no &amp;pain</source>
+        <translation>Rien à signaler, pas de dou&amp;leur</translation>
+    </message>
+    <message>
+        <source>Nothing applies, no pain: own range</source>
+        <translation>Rien à signaler, pas de douleur : amplitude propre</translation>
+    </message>
+    <message>
+        <source>No shoulder pain, no contracture, no tape allergy; turns by 10° and holds for 10 s (Alt+P)</source>
+        <translation>Ni douleur d’épaule, ni rétraction, ni allergie au ruban ; tourne de 10° et tient 10 s (Alt+L)</translation>
+    </message>
+    <message>
+        <source>%1 (Tab, then space)</source>
+        <translation>%1 (Tab, puis Espace)</translation>
+    </message>
+    <message>
+        <source>Pain now, at rest</source>
+        <translation>Douleur actuelle, au repos</translation>
+    </message>
+    <message>
+        <source>Pain now</source>
+        <translation>Douleur actuelle</translation>
+    </message>
+    <message>
+        <source>Passive range, as far as measured</source>
+        <translation>Amplitude passive, si mesurée</translation>
+    </message>
+    <message>
+        <source>%1: passive range measured</source>
+        <translation>%1 : amplitude passive mesurée</translation>
+    </message>
+    <message>
+        <source>No target goes beyond this range (Tab, then space)</source>
+        <translation>Aucune cible ne dépasse cette amplitude (Tab, puis espace)</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>%1, passive, in degrees</source>
+        <translation>%1, passive, en degrés</translation>
+    </message>
+    <message>
+        <source>From neutral, thumb up; negative: neutral is not reached (Tab, arrow keys)</source>
+        <translation>Depuis la position neutre, pouce en haut ; négatif : la position neutre n’est pas atteinte (Tab, flèches)</translation>
+    </message>
+    <message>
+        <source>You decide for this arm</source>
+        <translation>Vous décidez pour ce bras</translation>
+    </message>
+    <message>
+        <source>%1 of this arm today (Tab, then space)</source>
+        <translation>%1 de ce bras aujourd’hui (Tab, puis espace)</translation>
     </message>
 </context>
 <context>
@@ -2566,6 +2820,10 @@ En double&#xa0;: %3
 Avec d’autres marqueurs&#xa0;: %4
 Abîmées&#xa0;: %5
 Reconnexions&#xa0;: %6</translation>
+    </message>
+    <message>
+        <source>What the cameras counted</source>
+        <translation>Ce que les caméras ont compté</translation>
     </message>
 </context>
 <context>

@@ -30,6 +30,16 @@ Result<LoadedTrial> load_trial(storage::SessionStore& store, const storage::Sess
   loaded.opened.signals = {};
   if (auto task = tasks::parse_task(trial.task_text, trial.task_name))
     loaded.task = std::make_shared<const tasks::TaskSpec>(*std::move(task));
+  if (ArmReplay::is_of_arm(loaded.replay)) {
+    if (auto arm = ArmReplay::make(session, loaded.replay)) {
+      loaded.arm = std::make_shared<const ArmReplay>(*std::move(arm));
+      loaded.path = loaded.arm->path(loaded.replay, kPathStep_m);
+    } else {
+      loaded.why_no_arm =
+          QObject::tr("The arm cannot be drawn: %1.").arg(translated(arm.error().what));
+    }
+    return loaded;
+  }
   if (!trial.scene_text.empty())
     if (auto scene = parse_scene(trial.scene_text, trial.task_name))
       loaded.scene = std::make_shared<const Scene>(
@@ -40,6 +50,17 @@ Result<LoadedTrial> load_trial(storage::SessionStore& store, const storage::Sess
 
 PatientPicture picture_at(const LoadedTrial& trial, const ReplayState& state) {
   PatientFacts facts;
+  if (trial.arm) {
+    const session::ArmSnapshot now = trial.arm->at(trial.replay, state);
+    facts.session_open = facts.arrived = true;
+    facts.hand = trial.opened.session.hand.value_or(Hand::right);
+    facts.task = trial.task;
+    facts.stage = session::Stage::trial;
+    facts.stimulus = session::screen_of(now);
+    facts.arm = trial.arm->space();
+    facts.centre_W = trial.arm->centre_W();
+    return picture_for(facts);
+  }
   facts.session_open = true;
   facts.hand = trial.opened.session.hand.value_or(Hand::right);
   facts.task = trial.task;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gui/rules/patient_picture.hpp"
+#include "gui/trial_pages/arm_replay.hpp"
 #include "gui/trial_pages/opened_trial.hpp"
 #include "gui/trial_pages/trial_replay.hpp"
 
@@ -21,6 +22,9 @@ struct LoadedTrial {
   std::shared_ptr<const tasks::TaskSpec> task;  ///< null: its text cannot be read
   std::shared_ptr<const Scene> scene;           ///< turned for the hand; null: no object
   std::vector<Vec3> path;  ///< of the object's centre, in the world; NaN: interrupted
+  /// Of an arm seen by cameras, whose world is then that of the screens; null: of anything else.
+  std::shared_ptr<const ArmReplay> arm;
+  QString why_no_arm;  ///< an arm was recorded and cannot be drawn; empty: it is no arm, or it can
 };
 
 [[nodiscard]] Result<LoadedTrial> load_trial(storage::SessionStore& store,

@@ -150,6 +150,33 @@ void add_health_facts(const std::string& health_json, std::vector<TrialFact>& fa
        false});
 }
 
+constexpr QLatin1String kCameras("cameras");
+
+QJsonObject health_object(const std::string& health_json) {
+  return QJsonDocument::fromJson(QByteArray::fromStdString(health_json)).object();
+}
+
+bool is_of_cameras(const std::string& health_json) {
+  return health_object(health_json).contains(kCameras);
+}
+
+/// Counters of the cameras at the end of the trial; they count from the start of the session.
+void add_camera_facts(const std::string& health_json, std::vector<TrialFact>& facts) {
+  const auto cameras = health_object(health_json).value(kCameras).toObject();
+  const std::array<std::pair<const char*, QString>, 3> counters{
+      {{"lost", QObject::tr("lost")},
+       {"damaged", QObject::tr("damaged")},
+       {"restarts", QObject::tr("restarts")}}};
+  QStringList counted;
+  for (const auto& [key, word] : counters)
+    if (const auto count = cameras.value(QLatin1String(key)).toDouble(); count > 0.0)
+      counted << QObject::tr("%1 %2").arg(word).arg(count, 0, 'f', 0);
+  facts.push_back(
+      {QObject::tr("Pictures"),
+       counted.isEmpty() ? QObject::tr("nothing to report") : counted.join(QObject::tr(", ")),
+       false});
+}
+
 }  // namespace
 
 Result<OpenedTrial> open_trial(storage::SessionStore& store, const storage::SessionRecord& session,
@@ -192,21 +219,28 @@ std::vector<TrialFact> facts_of(const OpenedTrial& opened) {
       trial.seed == 0 ? QObject::tr("not known") : QString::number(trial.seed));
   if (const auto maximum_N = storage::value_of(trial.references, platform::kMaximumForce_N))
     add(QObject::tr("Maximum force"), QObject::tr("%1 N").arg(short_number(*maximum_N)));
-  if (trial.preparations.empty())
+  const bool cameras = is_of_cameras(trial.health_json);
+  if (cameras)
+    add(QObject::tr("Start posture"),
+        trial.preparations.empty() ? QObject::tr("none") : QObject::tr("measured"));
+  else if (trial.preparations.empty())
     add(QObject::tr("Zero"), QObject::tr("none in force"), !opened.session.recorded);
   if (const auto drift_N = storage::value_of(trial.drift, platform::kDrift_N))
     add(QObject::tr("Zero drift"),
         trial.drifted ? QObject::tr("%1 N: the forces are in doubt").arg(short_number(*drift_N))
                       : QObject::tr("%1 N").arg(short_number(*drift_N)),
         trial.drifted);
-  else if (!trial.preparations.empty())
+  else if (!cameras && !trial.preparations.empty())
     add(QObject::tr("Zero drift"), QObject::tr("not known: no zero followed"));
   add_sample_facts(opened, facts);
   constexpr double kWorthSaying_s = 1e-5;  // in virtual time nothing is late
   if (trial.worst_lateness_s >= kWorthSaying_s)
     add(QObject::tr("Latest frame"),
         QObject::tr("%1 ms late").arg(short_number(trial.worst_lateness_s * 1e3)));
-  add_health_facts(trial.health_json, facts);
+  if (cameras)
+    add_camera_facts(trial.health_json, facts);
+  else
+    add_health_facts(trial.health_json, facts);
   return facts;
 }
 

@@ -52,12 +52,14 @@ void ReplayWindow::draw_path(QSize size_px) {
 
 void ReplayWindow::paintGL() {
   const QSize size_px = size() * devicePixelRatio();
-  if (trial_ == nullptr || !state_.X_WO) {
+  const bool object = trial_ != nullptr && (trial_->arm != nullptr || state_.X_WO);
+  const PatientPicture picture = object ? picture_at(*trial_, state_) : PatientPicture{};
+  if (picture.page != PatientPicture::Page::object) {
     glClearColor(0.91F, 0.93F, 0.95F, 1.0F);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     return;
   }
-  scene_->show(picture_at(*trial_, state_));
+  scene_->show(picture);
   scene_->draw(QRect(QPoint(0, 0), size_px));
   if (path_.size() != size_px) draw_path(size_px);
   // QPainter changes OpenGL's state, and the next 3D picture would be lit wrongly.

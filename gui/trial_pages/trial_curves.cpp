@@ -5,8 +5,10 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "gui/look/look.hpp"
+#include "gui/trial_pages/arm_replay.hpp"
 #include "gui/words/words.hpp"
 #include "hand/columns.hpp"
 
@@ -62,10 +64,18 @@ bool has_numbers(const TrialReplay& replay, const std::string& column) {
   return false;
 }
 
+constexpr std::array<std::pair<CurveSet, ArmLink>, kArmLinkCount> kLinkSets{
+    {{CurveSet::forearm, ArmLink::forearm},
+     {CurveSet::wrist, ArmLink::wrist},
+     {CurveSet::fingers, ArmLink::fingers}}};
+
 }  // namespace
 
 std::vector<CurveSet> sets_of(const TrialReplay& replay) {
-  std::vector<CurveSet> sets{CurveSet::forces};
+  std::vector<CurveSet> sets;
+  if (!ArmReplay::is_of_arm(replay)) sets.push_back(CurveSet::forces);
+  for (const auto& [set, link] : kLinkSets)
+    if (has_numbers(replay, columns::link_angle[index_of(link)][0])) sets.push_back(set);
   if (has_numbers(replay, columns::actual_position[0])) sets.push_back(CurveSet::position);
   if (has_numbers(replay, columns::actual_angle_rad)) sets.push_back(CurveSet::attitude);
   sets.push_back(CurveSet::chosen);
@@ -75,6 +85,9 @@ std::vector<CurveSet> sets_of(const TrialReplay& replay) {
 QString words_of(CurveSet set) {
   switch (set) {
     case CurveSet::forces: return QObject::tr("Forces and target");
+    case CurveSet::forearm: return QObject::tr("Angles of the forearm");
+    case CurveSet::wrist: return QObject::tr("Angles of the wrist");
+    case CurveSet::fingers: return QObject::tr("Angles of the fingers");
     case CurveSet::position: return QObject::tr("Position of the object");
     case CurveSet::attitude: return QObject::tr("Angle of the object");
     case CurveSet::chosen: return QObject::tr("Any recorded channel …");
@@ -95,6 +108,14 @@ std::vector<TrialCurve> curves_of(const TrialReplay& replay, CurveSet set,
             look::kFingers[index_of(finger)]);
       add(columns::actual_force_N, QObject::tr("Task’s force"), look::kText);
       add(columns::target_force_N, QObject::tr("Target"), look::kText);
+      break;
+    case CurveSet::forearm:
+    case CurveSet::wrist:
+    case CurveSet::fingers:
+      for (const auto& [of, link] : kLinkSets)
+        for (std::size_t a = 0; of == set && a < 3; ++a)
+          add(columns::link_angle[index_of(link)][a], QObject::tr("Angle %1").arg(a + 1),
+              kCycle[a]);
       break;
     case CurveSet::position:
       for (const std::size_t axis : {0U, 1U, 2U}) {

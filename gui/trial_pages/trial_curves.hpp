@@ -13,7 +13,15 @@
 namespace isograsp::gui {
 
 /// What is seen first of a trial; `chosen`: any of the recorded channels.
-enum class CurveSet : std::uint8_t { forces, position, attitude, chosen };
+enum class CurveSet : std::uint8_t {
+  forces,
+  forearm,  ///< angles of a link of an arm; so are the next two
+  wrist,
+  fingers,
+  position,
+  attitude,
+  chosen
+};
 
 struct TrialCurve {
   std::optional<std::size_t> column;  ///< of the signals

@@ -90,7 +90,14 @@ QWidget* TrialView::make_pictures() {
   reading_->setObjectName("trial_reading");
   reading_->setTextFormat(Qt::RichText);
   reading_->setWordWrap(true);
-  column->addWidget(object_, 9);
+  arm_ = new ArmViews;
+  arm_->setObjectName("trial_arm");
+  take_rest(*arm_, 120);
+  auto* beside = new QHBoxLayout;
+  beside->setSpacing(6);
+  beside->addWidget(object_, 2);
+  beside->addWidget(arm_, 3);
+  column->addLayout(beside, 9);
   column->addWidget(why_flat_);
   column->addWidget(plot_, 10);
   column->addWidget(reading_);
@@ -200,7 +207,9 @@ void TrialView::show_trial(std::shared_ptr<const LoadedTrial> trial) {
   subtitle_->setText(mark.isEmpty() ? standing_words(record)
                                     : tr("%1 · %2").arg(standing_words(record), mark));
   const auto damage = QString::fromStdString(trial_->opened.damage);
-  const auto problem = damage.isEmpty() ? trial_->why_nothing : damage;
+  const auto problem = !damage.isEmpty()                ? damage
+                       : !trial_->why_nothing.isEmpty() ? trial_->why_nothing
+                                                        : trial_->why_no_arm;
   warning_->setText(tr("⚠ %1").arg(problem));
   warning_->setVisible(!problem.isEmpty());
   const bool any = replay.rows() > 0;
@@ -249,10 +258,14 @@ void TrialView::fill_channels() {
 }
 
 void TrialView::show_object() {
-  const bool object = trial_->replay.has_object();
-  object_->setVisible(object);
+  const ArmReplay* arm = trial_->arm.get();
+  arm_->setVisible(arm != nullptr);
+  if (arm == nullptr) arm_->show_nothing();
+  const bool object = arm != nullptr ? arm->has_object() : trial_->replay.has_object();
   static const bool kOpenGl = why_no_opengl().empty();
-  const bool solid = object && kOpenGl && trial_->scene != nullptr && trial_->task != nullptr;
+  const bool solid =
+      object && kOpenGl && trial_->task != nullptr && (arm != nullptr || trial_->scene != nullptr);
+  object_->setVisible(object && (solid || arm == nullptr));  // three views are flat already
   why_flat_->setVisible(object && !kOpenGl);
   if (!object) return;
   if (solid && window_ == nullptr) {
@@ -267,7 +280,7 @@ void TrialView::show_object() {
   object_->setCurrentIndex(solid ? 1 : 0);
   if (solid)
     window_->show_trial(trial_);
-  else
+  else if (arm == nullptr)
     flat_->show_trial(trial_);
 }
 
@@ -321,14 +334,16 @@ void TrialView::show_time() {
   time_->setText(tr("%1 of %2 s").arg(seconds_text(t_s), seconds_text(replay.end_s())));
   plot_->set_cursor(t_s);
   const auto state = replay.at(t_s);
-  if (object_->isVisible() && object_->currentIndex() == 0) flat_->show_state(state);
+  if (trial_->arm) arm_->show_arm(trial_->arm->at(replay, state), trial_->arm->space());
+  if (!trial_->arm && object_->isVisible() && object_->currentIndex() == 0)
+    flat_->show_state(state);
   if (window_ != nullptr && object_->currentIndex() == 1) window_->show_state(state);
   QStringList parts{phase_words(state.phase)};
   for (const auto& curve : curves_)
     parts << tr("<span style=\"color:%1\">%2</span>&nbsp;%3&nbsp;%4")
                  .arg(curve.colour.name(), curve.target ? tr("┅") : tr("━"),
                       curve.name.toHtmlEscaped(), reading(replay, curve, t_s));
-  if (replay.has_object() && state.target_index >= 0)
+  if ((trial_->arm || replay.has_object()) && state.target_index >= 0)
     parts << tr("targets reached %1").arg(state.targets_reached);
   reading_->setText(parts.join(QStringLiteral(" &nbsp; ")));
 }

@@ -12,6 +12,7 @@
 #include <QTimer>
 #include <memory>
 
+#include "gui/arm_pages/arm_views.hpp"
 #include "gui/look/card.hpp"
 #include "gui/trial_pages/loaded_trial.hpp"
 #include "gui/trial_pages/object_path_view.hpp"
@@ -66,6 +67,7 @@ class TrialView final : public Card {
   QStackedWidget* object_;  ///< 3D picture or flat path
   ObjectPathView* flat_;
   ReplayWindow* window_ = nullptr;  ///< made when there is OpenGL and an object; of its container
+  ArmViews* arm_;  ///< an arm from three sides, beside the picture that its person saw
   QLabel* why_flat_;
   TrialPlot* plot_;
   QLabel* reading_;

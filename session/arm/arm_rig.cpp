@@ -30,11 +30,15 @@ Result<ArmRig> ArmRig::load(const std::string& name, const std::string& library,
 Result<ArmRig> ArmRig::read(const std::string& path, Hand hand) {
   auto text = read_text(path);
   if (!text) return text.error();
-  auto rig = parse_rig(*text, path);
+  return parse(*std::move(text), path, hand);
+}
+
+Result<ArmRig> ArmRig::parse(std::string text, const std::string& path, Hand hand) {
+  auto rig = parse_rig(text, path);
   if (!rig) return rig.error();
   ArmRig arm;
   arm.hand = hand;
-  arm.text = *std::move(text);
+  arm.text = std::move(text);
   arm.chain = chain_of(*rig);
   if (rig->frames.empty()) {
     arm.rig = *std::move(rig);

@@ -36,6 +36,8 @@ struct ArmRig {
   /// Frame of each segment; nothing: the rig has none.
   std::array<std::optional<std::size_t>, kArmSegmentCount> frame_of{};
 
+  /// The rig of a file's text; `source` is named in errors. Errors as those of load().
+  [[nodiscard]] static Result<ArmRig> parse(std::string text, const std::string& source, Hand hand);
   /// Reads the rig of the file `path`. Errors as those of load().
   [[nodiscard]] static Result<ArmRig> read(const std::string& path, Hand hand);
   /// Reads the rig `name`: a file, or a name in LIBRARY/rigs. Errors: it has frames but no chain of

@@ -1,9 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/arm/arm_snapshot.hpp"
 
+#include <utility>
+#include <variant>
+
 #include "kinematics/pose_series.hpp"
 
 namespace isograsp::session {
+
+ArmSetup setup_of(const ArmRig& rig, std::vector<std::string> markers) {
+  ArmSetup setup;
+  setup.rig = rig.rig.name;
+  setup.view = rig.rig.view.value_or(RigView{});
+  setup.markers = std::move(markers);
+  for (std::size_t s = 0; s < kArmSegmentCount; ++s)
+    setup.has_segment[s] = rig.frame_of[s].has_value();
+  const auto object = rig.frame_of[index_of(ArmSegment::object)];
+  if (!object) return setup;  // markers alone
+  if (const auto* cluster = std::get_if<ClusterFrame>(&rig.rig.frames[*object].method))
+    setup.object_m = cluster->template_m;
+  return setup;
+}
 
 bool outlasts_a_stand_in(double unseen_s) noexcept {
   return unseen_s > kLongestStandIn_s + kMarkerTimeSlack_s;

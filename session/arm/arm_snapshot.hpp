@@ -27,6 +27,9 @@ struct ArmSetup {
   std::vector<Vec3> object_m;  ///< where its markers are on the object; empty: the rig does not say
 };
 
+/// Of a session, or of one that is stored: `markers` are the names of those that are recorded.
+[[nodiscard]] ArmSetup setup_of(const ArmRig& rig, std::vector<std::string> markers);
+
 /// Copying it takes no memory from the heap. Published once per frame.
 struct ArmSnapshot : Moment {
   MarkerHealth health;

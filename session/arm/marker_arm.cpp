@@ -57,11 +57,12 @@ Result<tasks::ArmPostures> own_postures(LinkAngle asked, const std::vector<OwnRa
 }  // namespace
 
 MarkerArm::MarkerArm(std::unique_ptr<MarkerDevice> device, ArmRig rig, std::string library,
-                     std::unique_ptr<MarkerSource> person)
+                     std::unique_ptr<MarkerSource> person, std::vector<PassiveLimit> limits)
     : person_(std::move(person)),
       device_(std::move(device)),
       rig_(std::move(rig)),
-      library_(std::move(library)) {
+      library_(std::move(library)),
+      limits_(std::move(limits)) {
   const MarkerDeviceInfo& of = device_->info();
   info_ = {kKind,       of.description, of.simulated, of.recorded,
            of.period_s, of.delay_s,     of.provenance};
@@ -82,17 +83,9 @@ Result<void> MarkerArm::start(Clock& clock) {
 }
 
 ArmSetup MarkerArm::setup() const {
-  ArmSetup setup;
-  setup.rig = rig_.rig.name;
-  setup.view = rig_.rig.view.value_or(RigView{});
-  for (const RecordedMarker& marker : sight_->recorded()) setup.markers.push_back(marker.name);
-  for (std::size_t s = 0; s < kArmSegmentCount; ++s)
-    setup.has_segment[s] = rig_.frame_of[s].has_value();
-  const auto object = rig_.frame_of[index_of(ArmSegment::object)];
-  if (!object) return setup;  // markers alone
-  if (const auto* cluster = std::get_if<ClusterFrame>(&rig_.rig.frames[*object].method))
-    setup.object_m = cluster->template_m;
-  return setup;
+  std::vector<std::string> markers;
+  for (const RecordedMarker& marker : sight_->recorded()) markers.push_back(marker.name);
+  return setup_of(rig_, std::move(markers));
 }
 
 void MarkerArm::stop() noexcept {
@@ -162,6 +155,10 @@ Result<std::unique_ptr<TrialSetup>> MarkerArm::make_trial(const tasks::TaskSpec&
   if (auto fitting = fits(spec); !fitting) return fitting.error();
   auto arm = postures(spec, context.ranges);
   if (!arm) return arm.error();
+  if (auto allowed = check_screening(spec, *arm ? &(*arm)->library : nullptr, rig_.links,
+                                     context.references.allowed, limits_);
+      !allowed)
+    return allowed.error();
   tasks::TaskContext of_this_arm = context;
   of_this_arm.arm = *std::move(arm);
   auto task = tasks::make_task(spec, of_this_arm);

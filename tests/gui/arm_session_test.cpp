@@ -2,7 +2,9 @@
 // A therapist's whole session with an arm seen by cameras, in the windows: the same pages as with
 // the platform, with the steps, tasks and pictures of an arm.
 #include <QDialog>
+#include <QSpinBox>
 #include <QTableWidget>
+#include <map>
 #include <numbers>
 #include <sstream>
 
@@ -51,6 +53,7 @@ class ArmInWindows : public QtTest {
   void connect(const char* hand) {
     operator_.prepare_person(hand);
     operator_.choose_device(kArmUri);
+    operator_.answer_screening();
     operator_.press("connect");
     ASSERT_TRUE(wait_until([&] { return view().may_zero; })) << view().sentence;
   }
@@ -144,14 +147,59 @@ TEST_F(ArmInWindows, AWholeSessionEndsWithItsTrialsInTheDatabase) {
   }
 }
 
+TEST_F(ArmInWindows, AnArmIsAskedItsOwnQuestionsAndNoneOfItsWordsAreThoseOfThePlatform) {
+  operator_.prepare_person();
+  operator_.choose_device(kArmUri);
+  EXPECT_EQ(view().next(), Step::screening) << "answers about a hand are none about an arm";
+  EXPECT_FALSE(view().may_connect);
+  EXPECT_TRUE(is_there("arm_screening_clear"));
+  EXPECT_FALSE(is_there("screening_clear"));
+  auto& form = *operator_.find<QWidget>("arm_screening_clear").parentWidget();
+  keep_picture(form, "arm_screening");
+  for (const auto* widget : isograsp::test::every(form.findChildren<QWidget*>())) {
+    const auto all = widget->property("text").toString() + widget->toolTip();
+    EXPECT_FALSE(all.contains("maxim", Qt::CaseInsensitive)) << all.toStdString();
+    EXPECT_FALSE(all.contains("device", Qt::CaseInsensitive)) << all.toStdString();
+  }
+  operator_.press("arm_screening_shoulder");
+  operator_.press("arm_screening_pain_2");
+  EXPECT_FALSE(operator_.find<QAbstractButton>("arm_screening_allow_maximum").isEnabled())
+      << "it neither turns nor holds";
+  operator_.press("arm_screening_turns_10_deg");
+  operator_.press("arm_screening_holds_10_s");
+  operator_.press("passive_forearm");
+  operator_.find<QSpinBox>("passive_forearm_positive").setValue(30);
+  EXPECT_FALSE(view().may_connect) << "nobody has decided";
+  operator_.press("arm_screening_allow_comfortable");
+  EXPECT_TRUE(view().may_connect) << view().sentence;
+  operator_.press("connect");
+  ASSERT_TRUE(wait_until([&] { return view().may_zero; })) << view().sentence;
+  take_start_posture();
+  EXPECT_EQ(stored_session().allowed, "comfortable");
+  const auto store =
+      must(storage::open_store(folder_.path("clinic.db"), storage::OpenMode::read_only));
+  std::map<std::string, std::string> answers;
+  for (const auto& answer : must(store->answers(stored_session().id)))
+    if (answer.topic == "screening") answers[answer.item] = answer.value;
+  EXPECT_EQ(answers["shoulder"], "yes");
+  EXPECT_EQ(answers["contracture"], "no");
+  EXPECT_EQ(answers["tape_allergy"], "no");
+  EXPECT_EQ(answers["pain"], "2");
+  EXPECT_EQ(answers["passive_forearm_a3_most_deg"], "30");
+  EXPECT_FALSE(answers.contains("injury")) << "a question of the platform";
+}
+
 TEST_F(ArmInWindows, ALeftArmIsPausedGoesOnAndIsStoppedAsOnThePlatform) {
   connect("hand_left");
   EXPECT_TRUE(wait_until([&] { return is_there("arm_remark"); })) << "its targets are mirrored";
   take_start_posture();
   operator_.press("by_hand");
   operator_.choose_task("pose_matching");
+  windows_.presenter().tasks().set_practice(true);
   operator_.start_task();
   ASSERT_TRUE(wait_until([&] { return picture().target_shown; }));
+  EXPECT_TRUE(wait_until([&] { return is_there("arm_practice"); })) << "it is practice";
+  EXPECT_TRUE(label("arm_practice").contains("of 15:00")) << label("arm_practice").toStdString();
   operator_.press("pause");
   ASSERT_TRUE(wait_until([&] { return picture().notice == PatientPicture::Notice::pause; }));
   operator_.press("pause");  // now Resume
@@ -191,6 +239,7 @@ TEST_F(ArmInWindows, ARecordingOfMarkersIsPreparedAndMeasuredAsAnArm) {
   operator_.prepare_person();
   windows_.presenter().choices().choose_device("replay://" + still_arm(folder_) +
                                                "?rig=kurillo15_trunk");
+  operator_.answer_screening();
   operator_.press("connect");
   ASSERT_TRUE(wait_until([&] { return view().may_zero; })) << view().sentence;
   EXPECT_TRUE(state().recorded());
@@ -203,6 +252,12 @@ TEST_F(ArmInWindows, ARecordingOfMarkersIsPreparedAndMeasuredAsAnArm) {
       << label("camera_counters").toStdString();
   keep_picture(windows_.therapist(), "arm_device");
   EXPECT_FALSE(is_there("sensor_counters"));
+  int titles = 0;
+  for (const auto* title : windows_.therapist().findChildren<QLabel*>()) {
+    EXPECT_FALSE(title->isVisible() && title->text() == "What the sensors counted");
+    titles += title->isVisible() && title->text() == "What the cameras counted" ? 1 : 0;
+  }
+  EXPECT_EQ(titles, 1);
   windows_.therapist().show_page(TherapistWindow::Page::session);
   operator_.finish_task();
   operator_.disconnect();
@@ -237,6 +292,7 @@ TEST_F(ArmInWindows, CamerasThatDoNotAnswerAreRefusedInWordsAndNothingIsStored) 
   operator_.prepare_person();
   windows_.presenter().choices().choose_device("replay:///nowhere/arm.c3d?rig=kurillo15");
   expect_only(kArm);
+  operator_.answer_screening();
   operator_.press("connect");
   ASSERT_TRUE(wait_until([&] { return view().situation == Situation::session_failed; }))
       << view().sentence;

@@ -88,7 +88,11 @@ class Operator {
   void prepare_person(const char* hand = "hand_right") const {
     add_patient();
     press(hand);
-    press("screening_clear");
+    answer_screening();
+  }
+  /// Nothing applies: of the hand, or of the arm.
+  void answer_screening() const {
+    press(windows_.presenter().state().measures_arm() ? "arm_screening_clear" : "screening_clear");
   }
 
   /// From an empty window to a device that has its zero; tasks are chosen one by one.

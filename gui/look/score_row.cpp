@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gui/session_pages/score_row.hpp"
+#include "gui/look/score_row.hpp"
 
 #include <QHBoxLayout>
 #include <QToolButton>

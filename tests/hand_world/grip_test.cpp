@@ -209,6 +209,32 @@ TEST(HardCases, HandsOfAllSizesAndSidesGripAndStayCalm) {
   }
 }
 
+/// The middle-sized hand, larger or smaller in all its measures.
+HandModel hand_of_length(double length_m) {
+  HandModel hand = middle_hand();
+  const double scale = length_m / hand.length_m;
+  hand.length_m *= scale;
+  hand.breadth_m *= scale;
+  for (auto& digit : hand.digits) {
+    digit.base_m *= scale;
+    digit.metacarpal_m *= scale;
+    for (double& length : digit.lengths_m) length *= scale;
+    for (double& radius : digit.radii_m) radius *= scale;
+  }
+  return hand;
+}
+
+TEST(HardCases, TheSmallestAndTheLargestHandsGripToo) {
+  for (const double length_m : {0.15, 0.22}) {
+    Grip grip = grip_of(hand_of_length(length_m), kThree, kGap_m, {});
+    grip.run(grip.pressed(kPress_m), 2000);
+    expect_sound(*grip.world);
+    constexpr double kStill_m_s = 1e-4;
+    EXPECT_LT(grip.object().v_WO_W.norm(), kStill_m_s) << length_m;
+    EXPECT_TRUE(grip.world->touches()[0].contact && grip.world->touches()[1].contact) << length_m;
+  }
+}
+
 TEST(HardCases, AHandThatBeginsInsideTheObjectPushesItOutGently) {
   Grip grip = grip_of(middle_hand(), kTwo, -0.015, weightless());
   double fastest_m_s = 0.0;

@@ -145,7 +145,11 @@ void ArmScreeningForm::answer(const std::function<void(ArmScreening&)>& change) 
 }
 
 void ArmScreeningForm::refresh() {
-  show_part(*this, presenter_.state().measures_arm());
+  const bool arm = presenter_.state().measures_arm();
+  show_part(*this, arm);
+  // The key belongs to the form that is shown.
+  const QString words = tr("Nothing applies, no &pain");
+  nothing_->setText(arm ? words : QString(words).remove(QLatin1Char('&')));
   const auto& answers = presenter_.state().choices.today.arm_screening;
   const auto& view = presenter_.flow().view();
   setEnabled(view.may_change_hand);

@@ -125,7 +125,11 @@ void ScreeningForm::answer(Screening answers) {
 }
 
 void ScreeningForm::refresh() {
-  show_part(*this, !presenter_.state().measures_arm());
+  const bool arm = presenter_.state().measures_arm();
+  show_part(*this, !arm);
+  // The key belongs to the form that is shown.
+  const QString words = tr("Nothing applies, no &pain");
+  nothing_->setText(arm ? QString(words).remove(QLatin1Char('&')) : words);
   const auto& answers = presenter_.state().choices.today.screening;
   const auto& view = presenter_.flow().view();
   setEnabled(view.may_change_hand);

@@ -171,7 +171,7 @@ TEST_F(ArmInWindows, AnArmIsAskedItsOwnQuestionsAndNoneOfItsWordsAreThoseOfThePl
   operator_.find<QSpinBox>("passive_forearm_positive").setValue(30);
   EXPECT_FALSE(view().may_connect) << "nobody has decided";
   operator_.press("arm_screening_allow_comfortable");
-  EXPECT_TRUE(view().may_connect) << view().sentence;
+  EXPECT_TRUE(wait_until([&] { return view().may_connect; })) << view().sentence;
   operator_.press("connect");
   ASSERT_TRUE(wait_until([&] { return view().may_zero; })) << view().sentence;
   take_start_posture();

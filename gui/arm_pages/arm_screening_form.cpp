@@ -34,9 +34,9 @@ ArmScreeningForm::ArmScreeningForm(SessionPresenter& presenter, QWidget* parent)
 }
 
 void ArmScreeningForm::make_questions(QVBoxLayout& column) {
-  nothing_ = new QPushButton(tr("Nothing applies, no &pain"));
+  nothing_ = new QPushButton(tr("Can do both, no &pain"));
   nothing_->setObjectName("arm_screening_clear");
-  describe(*nothing_, tr("Nothing applies, no pain: own range"),
+  describe(*nothing_, tr("Can do both, no pain, nothing else: own range"),
            tr("No shoulder pain, no contracture, no tape allergy; turns by 10° and holds for 10 s "
               "(Alt+P)"));
   column.addWidget(nothing_);
@@ -148,7 +148,7 @@ void ArmScreeningForm::refresh() {
   const bool arm = presenter_.state().measures_arm();
   show_part(*this, arm);
   // The key belongs to the form that is shown.
-  const QString words = tr("Nothing applies, no &pain");
+  const QString words = tr("Can do both, no &pain");
   nothing_->setText(arm ? words : QString(words).remove(QLatin1Char('&')));
   const auto& answers = presenter_.state().choices.today.arm_screening;
   const auto& view = presenter_.flow().view();

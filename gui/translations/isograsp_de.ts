@@ -2257,12 +2257,12 @@
 <context>
     <name>isograsp::gui::ArmScreeningForm</name>
     <message>
-        <source>Nothing applies, no &amp;pain</source>
-        <translation>Nichts trifft &amp;zu, kein Schmerz</translation>
+        <source>Can do both, no &amp;pain</source>
+        <translation>Kann beides, kein Schmer&amp;z</translation>
     </message>
     <message>
-        <source>Nothing applies, no pain: own range</source>
-        <translation>Nichts trifft zu, kein Schmerz: eigener Umfang</translation>
+        <source>Can do both, no pain, nothing else: own range</source>
+        <translation>Kann beides, kein Schmerz, sonst nichts: eigener Umfang</translation>
     </message>
     <message>
         <source>No shoulder pain, no contracture, no tape allergy; turns by 10° and holds for 10 s (Alt+P)</source>

@@ -2257,12 +2257,12 @@
 <context>
     <name>isograsp::gui::ArmScreeningForm</name>
     <message>
-        <source>Nothing applies, no &amp;pain</source>
-        <translation>Rien à signaler, pas de dou&amp;leur</translation>
+        <source>Can do both, no &amp;pain</source>
+        <translation>Capable des deux, sans dou&amp;leur</translation>
     </message>
     <message>
-        <source>Nothing applies, no pain: own range</source>
-        <translation>Rien à signaler, pas de douleur : amplitude propre</translation>
+        <source>Can do both, no pain, nothing else: own range</source>
+        <translation>Capable des deux, pas de douleur, rien d’autre : amplitude propre</translation>
     </message>
     <message>
         <source>No shoulder pain, no contracture, no tape allergy; turns by 10° and holds for 10 s (Alt+P)</source>

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "core/text.hpp"
 #include "core/time.hpp"
 #include "session/acquisition/timing.hpp"
 #include "tasks/task_progress.hpp"

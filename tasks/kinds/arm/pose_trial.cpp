@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/signals.hpp"
 #include "hand/arm_columns.hpp"
 #include "tasks/kinds/arm/segment_poses.hpp"
 

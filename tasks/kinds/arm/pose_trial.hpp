@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/signals.hpp"
 #include "kinematics/movement.hpp"
 #include "kinematics/pose_task.hpp"
 #include "tasks/kinds/arm/pose_matching.hpp"

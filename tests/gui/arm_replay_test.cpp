@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/files.hpp"
 #include "gui/arm_pages/arm_views.hpp"
 #include "gui/trial_pages/trial_view.hpp"
 #include "kinematics/attitude.hpp"

@@ -7,6 +7,7 @@
 #include "device/cameras/picture_watch.hpp"
 #include "device/markers/marker_period.hpp"
 #include "device/markers/marker_reader.hpp"
+#include "device/sensors/replay_clock.hpp"
 
 namespace isograsp {
 
@@ -61,37 +62,34 @@ Result<MarkerRecording> read_recording(const std::string& path) {
 class MarkerReplay final : public MarkerDevice {
  public:
   MarkerReplay(MarkerRecording recording, double speed)
-      : recording_(std::move(recording)), speed_(speed) {}
+      : recording_(std::move(recording)), clock_(speed) {}
 
   [[nodiscard]] const MarkerDeviceInfo& info() const noexcept override { return recording_.info; }
   [[nodiscard]] MarkerHealth health() const noexcept override {
     MarkerHealth health;
     health.counters = counters_;
     health.state = finished_ ? DeviceState::finished : DeviceState::configured;
-    if (clock_ != nullptr && !finished_) PictureWatch::set(health, watch_.fault(now(*clock_)));
+    if (clock_.runs() && !finished_) PictureWatch::set(health, watch_.fault(clock_.now()));
     return health;
   }
 
   [[nodiscard]] Result<void> start(Clock& clock) override {
-    clock_ = &clock;
-    start_ = clock.now();
-    reached_ = start_;
+    clock_.start(clock);
     next_ = 0;
     finished_ = false;
     counters_ = {};
-    watch_.begin(start_, recording_.info.period_s);
+    watch_.begin(clock_.at(Timestamp{0}), recording_.info.period_s);
     return {};
   }
 
   [[nodiscard]] ReadStatus read(Timestamp deadline, MarkerSample& out) noexcept override {
-    if (clock_ == nullptr) return ReadStatus::finished;
+    if (!clock_.runs()) return ReadStatus::finished;
     if (next_ == recording_.number.size()) {
       finished_ = true;
       return ReadStatus::finished;
     }
-    const Timestamp stamp = start_ + from_seconds(recording_.t_s[next_]);
-    wait_until(std::min(stamp, deadline));
-    if (stamp > deadline) return ReadStatus::timeout;
+    const Timestamp stamp = clock_.at(from_seconds(recording_.t_s[next_]));
+    if (!clock_.wait_for(stamp, deadline)) return ReadStatus::timeout;
     const std::size_t markers = recording_.info.labels.size();
     out.stamp = stamp;
     out.number = recording_.number[next_];
@@ -106,31 +104,16 @@ class MarkerReplay final : public MarkerDevice {
   }
 
   [[nodiscard]] Timestamp now(const Clock& clock) const noexcept override {
-    if (speed_ == 0.0) return reached_;
-    return start_ + scaled(clock.now() - start_, speed_);
+    return clock_.now(clock);
   }
 
-  void stop() noexcept override { clock_ = nullptr; }
+  void stop() noexcept override { clock_.stop(); }
 
  private:
-  /// Exact at speed 1.
-  [[nodiscard]] static Timestamp scaled(Timestamp span, double factor) noexcept {
-    if (factor == 1.0) return span;
-    return Timestamp{std::llround(static_cast<double>(span.count()) * factor)};
-  }
-  /// Waits for recorded time `t`.
-  void wait_until(Timestamp t) noexcept {
-    reached_ = std::max(reached_, t);
-    if (speed_ > 0.0) clock_->wait_until(start_ + scaled(t - start_, 1.0 / speed_));
-  }
-
   MarkerRecording recording_;
-  double speed_;
+  ReplayClock clock_;
   PictureWatch watch_;
   MarkerCounters counters_;
-  Clock* clock_ = nullptr;  ///< null: stopped
-  Timestamp start_{0};
-  Timestamp reached_{0};  ///< recorded time that was waited for
   std::size_t next_ = 0;  ///< row
   bool finished_ = false;
 };
@@ -139,16 +122,8 @@ class MarkerReplay final : public MarkerDevice {
 
 Result<std::unique_ptr<MarkerDevice>> open_marker_replay(const Uri& uri, MarkerSource*) {
   if (auto known = uri.require_known({"rig", "speed"}); !known) return known.error();
-  if (uri.target.empty())
-    return refused("no file is named"_text, "write replay://FILE.csv"_text)
-        .at(uri.text)
-        .about("file");
-  const auto speed = uri.number_or("speed", 1.0, 0.0, 1000.0);
+  const auto speed = replay_speed(uri);
   if (!speed) return speed.error();
-  if (*speed > 0.0 && *speed < 0.01)
-    return refused("is too slow"_text, "give 0 (never wait) or 0.01 to 1000"_text)
-        .at(uri.text)
-        .about("speed");
   auto recording = read_recording(uri.target);
   if (!recording) return recording.error();
   recording->info.uri = uri.text;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/csv.hpp"
+#include "device/emulator/fault_seconds.hpp"
 
 namespace isograsp {
 
@@ -66,21 +67,6 @@ std::string_view take_until(std::string_view& text, char separator) {
   return part;
 }
 
-/// "20ms", "2s" or "2".
-bool parse_seconds(std::string_view text, double& seconds) {
-  double unit = 1.0;
-  if (text.ends_with("ms")) {
-    unit = 1e-3;
-    text.remove_suffix(2);
-  } else if (text.ends_with('s')) {
-    text.remove_suffix(1);
-  }
-  constexpr double kLongest_s = 1e6;
-  if (!parse_number(text, seconds) || !(seconds >= 0.0 && seconds <= kLongest_s)) return false;
-  seconds *= unit;
-  return true;
-}
-
 bool parse_fingers(std::string_view name, std::array<bool, kFingerCount>& fingers) {
   if (name == "all") {
     fingers.fill(true);
@@ -128,7 +114,7 @@ Result<Fault> Fault::parse(std::string_view text) {
         !(fault.probability <= 1))
       return bad_fault(text, "'%1' is not a probability"_text(number));
   }
-  if (form == Form::chance_delay && !parse_seconds(take_until(before_at, ':'), fault.amount))
+  if (form == Form::chance_delay && !parse_fault_seconds(take_until(before_at, ':'), fault.amount))
     return bad_fault(text, "the delay is not a time"_text);
   constexpr double kMostFrames = 10'000.0;
   constexpr double kSteepest_N_s = 1000.0;
@@ -140,14 +126,14 @@ Result<Fault> Fault::parse(std::string_view text) {
     return bad_fault(text, "the slope is not a number of newtons per second"_text);
   const bool span = form == Form::span || form == Form::bus_span ||
                     (form == Form::optional_span && !before_at.empty());
-  if (span && !parse_seconds(take_until(before_at, ':'), fault.duration_s))
+  if (span && !parse_fault_seconds(take_until(before_at, ':'), fault.duration_s))
     return bad_fault(text, "the duration is not a time in seconds"_text);
   if (!before_at.empty()) return bad_fault(text, "'%1' is too much"_text(before_at));
   if (has_at && (chance || form == Form::finger))
     return bad_fault(text, "the fault has no instant"_text);
   if (needs_at != has_at && form != Form::slope)
     return bad_fault(text, "the instant is missing"_text);
-  if (has_at && !parse_seconds(at, fault.at_s))
+  if (has_at && !parse_fault_seconds(at, fault.at_s))
     return bad_fault(text, "'%1' is not a time in seconds"_text(at));
   return fault;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/csv.hpp"
+#include "device/emulator/fault_seconds.hpp"
 
 namespace isograsp {
 
@@ -36,21 +37,6 @@ constexpr std::array<MarkerFaultWord, 11> kMarkerFaultWords{
      {"close", MarkerKind::close, 0, true, MarkerFaultWord::Span::none, "close@5s"},
      {"split", MarkerKind::split, 0, false, MarkerFaultWord::Span::none, "split"},
      {"merge", MarkerKind::merge, 0, false, MarkerFaultWord::Span::none, "merge=4"}}};
-
-/// "20ms", "2s" or "2".
-bool parse_span(std::string_view text, double& seconds) {
-  double unit = 1.0;
-  if (text.ends_with("ms")) {
-    unit = 1e-3;
-    text.remove_suffix(2);
-  } else if (text.ends_with('s')) {
-    text.remove_suffix(1);
-  }
-  constexpr double kLongest_s = 1e6;
-  if (!parse_number(text, seconds) || !(seconds >= 0.0 && seconds <= kLongest_s)) return false;
-  seconds *= unit;
-  return true;
-}
 
 std::vector<std::string> parts_of(std::string_view text) {
   std::vector<std::string> parts;
@@ -108,7 +94,7 @@ Result<EmulatedMarkerFault> EmulatedMarkerFault::parse(std::string_view text) {
     fault.count = static_cast<int>(count);
   }
   if (word->span != MarkerFaultWord::Span::none && next < parts.size()) {
-    if (!parse_span(take(), fault.duration_s) || !(fault.duration_s > 0.0))
+    if (!parse_fault_seconds(take(), fault.duration_s) || !(fault.duration_s > 0.0))
       return bad_marker_fault(text, "the duration is not a time in seconds"_text);
   } else if (word->span == MarkerFaultWord::Span::must) {
     return bad_marker_fault(text, "the duration is not a time in seconds"_text);
@@ -118,7 +104,7 @@ Result<EmulatedMarkerFault> EmulatedMarkerFault::parse(std::string_view text) {
   if (has_at && !word->needs_instant)
     return bad_marker_fault(text, "the fault has no instant"_text);
   if (!has_at && word->needs_instant) return bad_marker_fault(text, "the instant is missing"_text);
-  if (has_at && !parse_span(text.substr(at + 1), fault.at_s))
+  if (has_at && !parse_fault_seconds(text.substr(at + 1), fault.at_s))
     return bad_marker_fault(text, "'%1' is not a time in seconds"_text(text.substr(at + 1)));
   return fault;
 }

@@ -5,7 +5,7 @@
 
 #include "device/bus/udp_port.hpp"
 #include "device/emulator/marker_server.hpp"
-#include "device/emulator/marker_timer.hpp"
+#include "device/emulator/play_timer.hpp"
 
 namespace isograsp {
 
@@ -52,8 +52,8 @@ class NatNetServer final : public MarkerServer {
     if (!size) return false;
     bool stays = false;
     const auto request = std::span(room_).first(std::min(*size, room_.size()));
-    const auto answer =
-        cameras_.answer(request, timer_.labels(now), timer_.scene().rate_Hz(), stays);
+    const auto answer = cameras_.answer(request, timer_.scene().labels(timer_.play_s(now)),
+                                        timer_.scene().rate_Hz(), stays);
     if (!answer.empty()) port_.send(from, answer);
     if (!stays) return true;
     const auto known =
@@ -82,7 +82,7 @@ class NatNetServer final : public MarkerServer {
       if (port_.send(client.address, message)) ++counters_.sent;
   }
 
-  MarkerTimer timer_;
+  PlayTimer<MarkerScene> timer_;
   EmulatedNatNetOptions options_;
   EmulatedNatNet cameras_;
   UdpPort port_;

@@ -13,7 +13,7 @@
 
 #include "device/emulator/emulated_qtm.hpp"
 #include "device/emulator/marker_server.hpp"
-#include "device/emulator/marker_timer.hpp"
+#include "device/emulator/play_timer.hpp"
 
 namespace isograsp {
 
@@ -44,9 +44,8 @@ class QtmServer final : public MarkerServer {
     for (const auto& fault : timer_.scene().faults()) {
       if (fault.kind == MarkerKind::split) split_ = true;
       if (fault.kind == MarkerKind::merge) merge_ = fault.count;
-      if (fault.kind == MarkerKind::close) closings_s_.push_back(fault.at_s);
+      if (fault.kind == MarkerKind::close) timer_.close_at(fault.at_s);
     }
-    std::sort(closings_s_.begin(), closings_s_.end());
   }
 
   [[nodiscard]] Result<void> open(const Endpoint& on) {
@@ -74,11 +73,14 @@ class QtmServer final : public MarkerServer {
     for (;;) {
       io_.poll();
       const Timestamp now = clock.now();
-      strike(now);
+      if (timer_.closes(now)) {
+        counters_.closed += visits_.size();
+        visits_.clear();
+      }
       while (timer_.due() <= now) show(timer_.scene().take());
       visits_.remove_if([](const Visit& visit) { return visit.gone; });
       if (now >= until) return;
-      const Timestamp next = std::min({until, timer_.due(), closing()});
+      const Timestamp next = std::min({until, timer_.due(), timer_.closing()});
       io_.run_one_until(std::chrono::steady_clock::time_point(next));
     }
   }
@@ -114,7 +116,8 @@ class QtmServer final : public MarkerServer {
   }
   void hear(Visit& visit, std::span<const std::uint8_t> bytes) {
     const Timestamp now = clock_->now();
-    const auto answers = visit.client.answer(bytes, timer_.labels(now), timer_.scene().rate_Hz());
+    const auto answers = visit.client.answer(bytes, timer_.scene().labels(timer_.play_s(now)),
+                                             timer_.scene().rate_Hz());
     if (!answers) {
       visit.gone = true;
       return;
@@ -157,24 +160,9 @@ class QtmServer final : public MarkerServer {
     if (visit.unsent.size() > kMostUnread) visit.gone = true;
   }
 
-  [[nodiscard]] Timestamp closing() const noexcept {
-    const double now_s = timer_.play_s(clock_->now());
-    if (next_closing_ == closings_s_.size() || now_s < 0.0) return Timestamp::max();
-    return clock_->now() + from_seconds(std::max(0.0, closings_s_[next_closing_] - now_s));
-  }
-  void strike(Timestamp now) {
-    while (next_closing_ < closings_s_.size() && timer_.play_s(now) >= closings_s_[next_closing_]) {
-      ++next_closing_;
-      counters_.closed += visits_.size();
-      visits_.clear();
-    }
-  }
-
-  MarkerTimer timer_;
+  PlayTimer<MarkerScene> timer_;
   bool split_ = false;
   int merge_ = 1;
-  std::vector<double> closings_s_;
-  std::size_t next_closing_ = 0;
   Endpoint address_;
   MarkerServerCounters counters_;
   Clock* clock_ = nullptr;

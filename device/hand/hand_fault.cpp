@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/csv.hpp"
+#include "device/emulator/fault_seconds.hpp"
 
 namespace isograsp {
 
@@ -34,22 +35,6 @@ constexpr std::array<HandFaultWord, 10> kHandFaultWords{
      {"clock", HandKind::clock, HandDetail::step, true, "clock=-3s@5s"},
      {"close", HandKind::close, HandDetail::none, true, "close@5s"},
      {"split", HandKind::split, HandDetail::none, false, "split"}}};
-
-/// "20ms", "2s", "2" or "-2s".
-bool parse_hand_span(std::string_view text, double& seconds) {
-  double unit = 1.0;
-  if (text.ends_with("ms")) {
-    unit = 1e-3;
-    text.remove_suffix(2);
-  } else if (text.ends_with('s')) {
-    text.remove_suffix(1);
-  }
-  constexpr double kLongest_s = 1e6;
-  if (!parse_number(text, seconds) || !(seconds >= -kLongest_s && seconds <= kLongest_s))
-    return false;
-  seconds *= unit;
-  return true;
-}
 
 Error bad_hand_fault(std::string_view text, Text what) {
   std::string all;
@@ -83,18 +68,19 @@ Result<EmulatedHandFault> EmulatedHandFault::parse(std::string_view text) {
         return bad_hand_fault(text, "'%1' is not a probability"_text(detail));
       break;
     case HandDetail::span:
-      if (has_detail && (!parse_hand_span(detail, fault.duration_s) || !(fault.duration_s > 0.0)))
+      if (has_detail &&
+          (!parse_fault_seconds(detail, fault.duration_s) || !(fault.duration_s > 0.0)))
         return bad_hand_fault(text, "the duration is not a time in seconds"_text);
       break;
     case HandDetail::step:
-      if (!parse_hand_span(detail, fault.step_s) || fault.step_s == 0.0)
+      if (!parse_fault_jump(detail, fault.step_s) || fault.step_s == 0.0)
         return bad_hand_fault(text, "the jump is not a time in seconds"_text);
       break;
   }
   const bool has_at = at != std::string_view::npos;
   if (has_at && !word->needs_instant) return bad_hand_fault(text, "the fault has no instant"_text);
   if (!has_at && word->needs_instant) return bad_hand_fault(text, "the instant is missing"_text);
-  if (has_at && (!parse_hand_span(text.substr(at + 1), fault.at_s) || fault.at_s < 0.0))
+  if (has_at && !parse_fault_seconds(text.substr(at + 1), fault.at_s))
     return bad_hand_fault(text, "'%1' is not a time in seconds"_text(text.substr(at + 1)));
   return fault;
 }

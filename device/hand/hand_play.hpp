@@ -56,6 +56,12 @@ struct HandPicture {
   std::vector<HandFrame> hands;
 };
 
+/// The part of a message that comes where it breaks off.
+[[nodiscard]] inline std::string cut_off(std::string message) {
+  message.resize(message.size() / 2);
+  return message;
+}
+
 class HandScene {
  public:
   HandScene(HandPlay play, std::vector<EmulatedHandFault> faults, std::uint64_t seed);

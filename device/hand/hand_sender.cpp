@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "device/bus/udp_port.hpp"
+#include "device/emulator/play_timer.hpp"
 #include "device/hand/hand_json.hpp"
 #include "device/hand/hand_server.hpp"
-#include "device/hand/hand_timer.hpp"
 
 namespace isograsp {
 
@@ -43,7 +43,7 @@ class HandSender final : public HandServer {
   }
 
   Endpoint to_;
-  HandTimer timer_;
+  PlayTimer<HandScene> timer_;
   UdpPort port_;
   HandServerCounters counters_;
 };

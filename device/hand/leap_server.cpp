@@ -14,9 +14,9 @@
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 
+#include "device/emulator/play_timer.hpp"
 #include "device/hand/emulated_leap.hpp"
 #include "device/hand/hand_server.hpp"
-#include "device/hand/hand_timer.hpp"
 
 namespace isograsp {
 
@@ -56,9 +56,8 @@ class LeapServer final : public HandServer {
   explicit LeapServer(HandScene scene) : timer_(std::move(scene)) {
     for (const auto& fault : timer_.scene().faults()) {
       if (fault.kind == EmulatedHandFault::Kind::split) split_ = true;
-      if (fault.kind == EmulatedHandFault::Kind::close) closings_s_.push_back(fault.at_s);
+      if (fault.kind == EmulatedHandFault::Kind::close) timer_.close_at(fault.at_s);
     }
-    std::sort(closings_s_.begin(), closings_s_.end());
   }
 
   [[nodiscard]] Result<void> open(const Endpoint& on) {
@@ -86,7 +85,10 @@ class LeapServer final : public HandServer {
     for (;;) {
       io_.poll();
       const Timestamp now = clock.now();
-      strike(now);
+      if (timer_.closes(now)) {
+        counters_.closed += visits_.size();
+        for (const LeapVisitPtr& visit : visits_) visit->gone = true;
+      }
       while (timer_.due() <= now) show(timer_.scene().take());
       if (timer_.over()) take_leave();
       visits_.remove_if([](const LeapVisitPtr& visit) {
@@ -94,7 +96,7 @@ class LeapServer final : public HandServer {
         return visit->gone;
       });
       if (now >= until || over()) return;
-      const Timestamp next = std::min({until, timer_.due(), closing()});
+      const Timestamp next = std::min({until, timer_.due(), timer_.closing()});
       io_.run_one_until(std::chrono::steady_clock::time_point(next));
     }
   }
@@ -207,23 +209,8 @@ class LeapServer final : public HandServer {
     visit.socket.next_layer().close(ignored);
   }
 
-  [[nodiscard]] Timestamp closing() const noexcept {
-    const double now_s = timer_.play_s(clock_->now());
-    if (next_closing_ == closings_s_.size() || now_s < 0.0) return Timestamp::max();
-    return clock_->now() + from_seconds(std::max(0.0, closings_s_[next_closing_] - now_s));
-  }
-  void strike(Timestamp now) {
-    while (next_closing_ < closings_s_.size() && timer_.play_s(now) >= closings_s_[next_closing_]) {
-      ++next_closing_;
-      counters_.closed += visits_.size();
-      for (const LeapVisitPtr& visit : visits_) visit->gone = true;
-    }
-  }
-
-  HandTimer timer_;
+  PlayTimer<HandScene> timer_;
   bool split_ = false;
-  std::vector<double> closings_s_;
-  std::size_t next_closing_ = 0;
   Endpoint address_;
   HandServerCounters counters_;
   Clock* clock_ = nullptr;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/recording/replay_device.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "device/recording/recording.hpp"
 #include "device/sensors/open_sensors.hpp"
+#include "device/sensors/replay_clock.hpp"
 
 namespace isograsp {
 
@@ -15,7 +14,7 @@ namespace {
 class ReplayDevice final : public ForceDevice {
  public:
   ReplayDevice(Recording recording, double speed)
-      : recording_(std::move(recording)), speed_(speed) {
+      : recording_(std::move(recording)), clock_(speed) {
     health_.state = DeviceState::configured;
   }
 
@@ -23,9 +22,7 @@ class ReplayDevice final : public ForceDevice {
   [[nodiscard]] DeviceHealth health() const noexcept override { return health_; }
 
   [[nodiscard]] Result<void> start(Clock& clock) override {
-    clock_ = &clock;
-    start_ = clock.now();
-    reached_ = start_;
+    clock_.start(clock);
     next_ = 0;
     health_ = DeviceHealth{};
     health_.state = DeviceState::streaming;
@@ -33,15 +30,14 @@ class ReplayDevice final : public ForceDevice {
   }
 
   [[nodiscard]] ReadStatus read(Timestamp deadline, SensorSample& out) noexcept override {
-    if (clock_ == nullptr) return ReadStatus::finished;
+    if (!clock_.runs()) return ReadStatus::finished;
     if (next_ == recording_.samples.size()) {
       health_.state = DeviceState::finished;
       return ReadStatus::finished;
     }
     const SensorSample& sample = recording_.samples[next_];
-    const Timestamp stamp = start_ + sample.stamp;
-    wait_until(std::min(stamp, deadline));
-    if (stamp > deadline) return ReadStatus::timeout;
+    const Timestamp stamp = clock_.at(sample.stamp);
+    if (!clock_.wait_for(stamp, deadline)) return ReadStatus::timeout;
 
     out = sample;
     out.stamp = stamp;
@@ -52,34 +48,18 @@ class ReplayDevice final : public ForceDevice {
   }
 
   [[nodiscard]] Timestamp now(const Clock& clock) const noexcept override {
-    if (speed_ == 0.0) return reached_;
-    return start_ + scaled(clock.now() - start_, speed_);
+    return clock_.now(clock);
   }
 
   void stop() noexcept override {
-    clock_ = nullptr;
+    clock_.stop();
     health_.state = DeviceState::configured;
   }
 
  private:
-  /// Exact at speed 1.
-  [[nodiscard]] static Timestamp scaled(Timestamp span, double factor) noexcept {
-    if (factor == 1.0) return span;
-    return Timestamp{std::llround(static_cast<double>(span.count()) * factor)};
-  }
-
-  /// Waits for recorded time `t`.
-  void wait_until(Timestamp t) noexcept {
-    reached_ = std::max(reached_, t);
-    if (speed_ > 0.0) clock_->wait_until(start_ + scaled(t - start_, 1.0 / speed_));
-  }
-
   Recording recording_;
-  double speed_;
+  ReplayClock clock_;
   DeviceHealth health_;
-  Clock* clock_ = nullptr;  ///< null: stopped
-  Timestamp start_{0};
-  Timestamp reached_{0};  ///< recorded time that was waited for
   std::size_t next_ = 0;  ///< sample
 };
 
@@ -88,16 +68,8 @@ class ReplayDevice final : public ForceDevice {
 Result<std::unique_ptr<ForceDevice>> open_replay_device(const Uri& uri) {
   if (auto known = uri.require_known({"speed", "protocol", "config", "rate"}); !known)
     return known.error();
-  if (uri.target.empty())
-    return refused("no file is named"_text, "write replay://FILE.csv"_text)
-        .at(uri.text)
-        .about("file");
-  auto speed = uri.number_or("speed", 1.0, 0.0, 1000.0);
+  const auto speed = replay_speed(uri);
   if (!speed) return speed.error();
-  if (*speed > 0.0 && *speed < 0.01)
-    return refused("is too slow"_text, "give 0 (never wait) or 0.01 to 1000"_text)
-        .at(uri.text)
-        .about("speed");
   const bool raw = uri.parameters.contains("protocol") || uri.parameters.contains("config");
   auto recording = [&]() -> Result<Recording> {
     if (!raw) return read_csv_recording(uri.target);

@@ -11,8 +11,6 @@ namespace isograsp::gui {
 namespace {
 constexpr int kLeastPassive_deg = -90;
 constexpr int kMostPassive_deg = 180;
-constexpr std::array<PassiveDegrees, kPassiveJointCount> kUsualPassive{
-    {{80, 75}, {70, 75}, {20, 35}}};  // to begin with: what is measured is entered
 constexpr std::array<tasks::Effort, 3> kRanges{tasks::Effort::maximum, tasks::Effort::comfortable,
                                                tasks::Effort::none};
 }  // namespace
@@ -96,8 +94,6 @@ void ArmScreeningForm::make_ranges(QVBoxLayout& column) {
     };
     row.negative = make_angle(negative_words(joint), "negative");
     row.positive = make_angle(positive_words(joint), "positive");
-    row.negative->setValue(kUsualPassive[j].negative);
-    row.positive->setValue(kUsualPassive[j].positive);
     // The angles stand below their box: beside it there is no room for the words.
     const auto at = 2 * static_cast<int>(j);
     grid->addWidget(row.measured, at, 0, 1, 3);
@@ -168,7 +164,8 @@ void ArmScreeningForm::refresh() {
     const QSignalBlocker quiet_negative(row.negative);
     const QSignalBlocker quiet_positive(row.positive);
     row.measured->setChecked(range.has_value());
-    const PassiveDegrees shown = range.value_or(kUsualPassive[j]);  // not that of the one before
+    // Nothing is filled in beforehand: a range that nobody measured would be no limit.
+    const PassiveDegrees shown = range.value_or(PassiveDegrees{});
     row.negative->setValue(shown.negative);
     row.positive->setValue(shown.positive);
     show_part(*row.negative, range.has_value());

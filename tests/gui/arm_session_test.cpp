@@ -168,7 +168,10 @@ TEST_F(ArmInWindows, AnArmIsAskedItsOwnQuestionsAndNoneOfItsWordsAreThoseOfThePl
   operator_.press("arm_screening_turns_10_deg");
   operator_.press("arm_screening_holds_10_s");
   operator_.press("passive_forearm");
+  EXPECT_FALSE(operator_.find<QAbstractButton>("arm_screening_allow_comfortable").isEnabled())
+      << "no range is filled in beforehand";
   operator_.find<QSpinBox>("passive_forearm_positive").setValue(30);
+  keep_picture(form, "arm_screening_filled");
   EXPECT_FALSE(view().may_connect) << "nobody has decided";
   operator_.press("arm_screening_allow_comfortable");
   EXPECT_TRUE(wait_until([&] { return view().may_connect; })) << view().sentence;
@@ -199,6 +202,7 @@ TEST_F(ArmInWindows, ALeftArmIsPausedGoesOnAndIsStoppedAsOnThePlatform) {
   operator_.start_task();
   ASSERT_TRUE(wait_until([&] { return picture().target_shown; }));
   EXPECT_TRUE(wait_until([&] { return is_there("arm_practice"); })) << "it is practice";
+  keep_picture(windows_.therapist(), "arm_practice");
   EXPECT_TRUE(label("arm_practice").contains("of 15:00")) << label("arm_practice").toStdString();
   operator_.press("pause");
   ASSERT_TRUE(wait_until([&] { return picture().notice == PatientPicture::Notice::pause; }));

@@ -25,7 +25,7 @@ double read_wait(TomlReader& reader, std::string_view key, double fallback) {
   return read_within(reader, key, 0.0, kLongestPart_s, fallback);
 }
 
-int read_count(TomlReader& reader, std::string_view key, int fallback, int most) {
+int read_count(TomlReader& reader, std::string_view key, std::optional<int> fallback, int most) {
   const auto count = reader.integer(key, fallback);
   if (count >= 1 && count <= most) return static_cast<int>(count);
   reader.fail(key, "%1 is out of range"_text(count),

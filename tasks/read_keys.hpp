@@ -19,6 +19,6 @@ double read_within(TomlReader& reader, std::string_view key, double least, doubl
 double read_duration(TomlReader& reader, std::string_view key, double fallback);
 /// A duration from zero on [s].
 double read_wait(TomlReader& reader, std::string_view key, double fallback);
-int read_count(TomlReader& reader, std::string_view key, int fallback, int most);
+int read_count(TomlReader& reader, std::string_view key, std::optional<int> fallback, int most);
 
 }  // namespace isograsp::tasks

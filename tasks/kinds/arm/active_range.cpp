@@ -52,10 +52,10 @@ Result<std::unique_ptr<Task>> make_active_range(const ActiveRangeSpec& spec,
 }
 
 KindSpec read_active_range(TomlReader& reader) {
-  constexpr double kAngles = 3.0;
+  constexpr int kAngles = 3;
   ActiveRangeSpec spec;
   spec.link = static_cast<ArmLink>(reader.choice("link", {"forearm", "wrist", "fingers"}));
-  spec.angle = static_cast<int>(read_within(reader, "angle", 1.0, kAngles));
+  spec.angle = read_count(reader, "angle", std::nullopt, kAngles);
   spec.lead_in_s = read_wait(reader, "lead_in_s", spec.lead_in_s);
   spec.duration_s = read_duration(reader, "duration_s", spec.duration_s);
   constexpr int kMostRepetitions = 100;

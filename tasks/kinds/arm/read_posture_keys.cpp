@@ -13,10 +13,10 @@ std::vector<std::string> read_sequence(TomlReader& reader) {
 }
 
 LinkAngle read_own_range(TomlReader& reader) {
-  constexpr double kAngles = 3.0;
+  constexpr int kAngles = 3;
   LinkAngle asked;
   asked.link = static_cast<ArmLink>(reader.choice("own_range", kArmLinkNames));
-  asked.angle = static_cast<int>(read_within(reader, "own_angle", 1.0, kAngles));
+  asked.angle = read_count(reader, "own_angle", std::nullopt, kAngles);
   if (reader.has("postures"))
     reader.fail("postures", "stands beside own_range"_text, "leave one of them out"_text);
   return asked;

@@ -17,6 +17,6 @@ namespace isograsp::exports {
 [[nodiscard]] std::string bids_scans_sidecar(const Language& language);
 /// dataset_description.json; `type`: "raw" or "derivative".
 [[nodiscard]] std::string bids_description(std::string_view type, const Language& language);
-[[nodiscard]] std::string bids_readme();
+[[nodiscard]] std::string bids_readme(const Language& language);
 
 }  // namespace isograsp::exports

@@ -18,6 +18,8 @@ namespace isograsp::gui::test::library_files_test {
 namespace {
 
 namespace fs = std::filesystem;
+using isograsp::test::every;
+using isograsp::test::TemporaryFolder;
 
 const std::string kShipped = std::string(ISOGRASP_SOURCE_DIR) + "/library";
 

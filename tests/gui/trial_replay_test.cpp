@@ -14,6 +14,8 @@
 namespace isograsp::gui::test::trial_replay_test {
 namespace {
 
+using isograsp::test::every;
+
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 constexpr double kHeld = 1.0;
 constexpr double kLost = 2.0;

@@ -14,6 +14,7 @@
 #include "app/paths.hpp"
 #include "app/realtime_option.hpp"
 #include "app/stop_signals.hpp"
+#include "session/arm/passive_range.hpp"
 #include "session/protocol/protocol_run.hpp"
 #include "session/session.hpp"
 #include "tasks/reasons/reasons.hpp"
@@ -72,6 +73,21 @@ session::ReadyProtocol beginning_of(session::ReadyProtocol protocol, int steps) 
   return protocol;
 }
 
+/// The passive ranges, as the session stores them.
+Result<std::vector<storage::SessionAnswer>> screening_answers(const RunOptions& options) {
+  std::vector<PassiveLimit> limits;
+  for (const std::string& text : options.passive) {
+    const auto limit = session::passive_limit_from(text);
+    if (!limit) return Error(limit.error()).about("--passive");
+    if (std::any_of(limits.begin(), limits.end(),
+                    [&](const PassiveLimit& known) { return known.angle == limit->angle; }))
+      return refused("'%1' is the second range of this angle"_text(text), "give each once"_text)
+          .about("--passive");
+    limits.push_back(*limit);
+  }
+  return session::stored(limits);
+}
+
 /// Begins the first task of a step and ends the session in it.
 Result<void> break_off(session::Session& session, const session::ReadyProtocol& protocol,
                        int step) {
@@ -98,6 +114,8 @@ Result<void> run_session(const RunOptions& options) {
     return refused("'%1' is no outcome of a screening"_text(options.allowed),
                    "write maximum, comfortable or none"_text)
         .about("--allowed");
+  auto answers = screening_answers(options);
+  if (!answers) return answers.error();
   const auto protocol = protocol_of(options);
   if (!protocol) return protocol.error();
   session::SessionConfig config;
@@ -118,6 +136,7 @@ Result<void> run_session(const RunOptions& options) {
   config.realtime = options.realtime;
   config.allowed = allowed;
   config.ceiling_N = options.ceiling_N;
+  config.answers = *std::move(answers);
   config.resume = options.resume;
   config.clock_is_right = options.clock_is_right;
   config.stop = options.stop;
@@ -189,6 +208,10 @@ void add_run(CommandLine& line) {
                  "What the screening allows this hand: maximum, comfortable or none; without it "
                  "nothing is kept and maximum is allowed");
   command.option("--ceiling", options->ceiling_N, "No target may exceed this force [N]").positive();
+  command.option(
+      "--passive", options->passive,
+      "Passive range of an arm's angle [degrees], e.g. forearm_a3=-40:60; no target goes "
+      "beyond it; may be given more than once");
   command.flag("--fast", options->fast, "Simulated and replayed devices in virtual time");
   command.flag("--resume", options->resume,
                "Go on with the protocol that the last session of this hand has not finished");

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/measure.hpp"
 #include "core/result.hpp"
@@ -36,8 +37,9 @@ struct RunOptions {
   std::string operator_name;
   bool serviced = false;  ///< the operator confirms that the device was serviced or remounted
   std::string allowed;    ///< outcome of the screening for this hand; empty: not asked
-  std::optional<double> ceiling_N;  ///< no target may exceed it
-  std::optional<Rating> rating;     ///< nothing: not asked
+  std::optional<double> ceiling_N;   ///< no target may exceed it
+  std::vector<std::string> passive;  ///< of an arm, as typed: "forearm_a3=-40:60" [degrees]
+  std::optional<Rating> rating;      ///< nothing: not asked
   session::Realtime realtime = session::Realtime::prefer;
   const std::atomic<bool>* stop = nullptr;  ///< ends the session when somebody sets it
   bool clock_is_right = false;              ///< though it is behind the newest session of the file

@@ -85,6 +85,7 @@ function(isograsp_test name)
   set(others "")
   if(ARG_LONG_IF_SANITIZED AND ISOGRASP_SANITIZE)
     list(REMOVE_ITEM ARG_TOGETHER ${ARG_LONG_IF_SANITIZED})
+    list(REMOVE_ITEM ARG_REAL_TIME ${ARG_LONG_IF_SANITIZED})
     if(ISOGRASP_LONG_TESTS)
       list(APPEND ARG_TOGETHER ${ARG_LONG_IF_SANITIZED})
     else()
@@ -96,7 +97,9 @@ function(isograsp_test name)
     set_tests_properties(${name}/${suite} PROPERTIES
       TIMEOUT 600 ENVIRONMENT "${environment}" FAIL_REGULAR_EXPRESSION "0 tests from 0 test suites")
     if(suite IN_LIST ARG_REAL_TIME)
-      set_tests_properties(${name}/${suite} PROPERTIES PROCESSORS 2 COST 100)
+      # Beside it two others at most: five at a time on two slow processors held up an emulated sensor
+      # for so long that its driver took it for one that began anew.
+      set_tests_properties(${name}/${suite} PROPERTIES PROCESSORS 3 COST 100)
     endif()
     list(APPEND others "${suite}.*")
   endforeach()

@@ -28,4 +28,12 @@ struct LinkAngle {
   bool operator==(const LinkAngle&) const = default;
 };
 
+/// How far somebody else turns one angle of an arm, from the zero of the rig.
+struct PassiveLimit {
+  LinkAngle angle;
+  double least_rad = 0.0;
+  double most_rad = 0.0;
+  bool operator==(const PassiveLimit&) const = default;
+};
+
 }  // namespace isograsp

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "session/arm/marker_arm.hpp"
-#include "session/arm/passive_range.hpp"
 #include "virtual_patient/arm/virtual_arm.hpp"
 #include "virtual_patient/arm/virtual_drinker.hpp"
 #include "virtual_patient/traits.hpp"
@@ -67,15 +66,12 @@ Result<std::unique_ptr<Apparatus>> open_arm(const ApparatusRequest& request) {
   auto rig = ArmRig::load(uri.text_or("rig", uri.scheme == "sim" ? kSimulatedRig : ""),
                           request.library, request.hand, uri.text);
   if (!rig) return rig.error();
-  auto limits = passive_limits_in(request.answers);
-  if (!limits) return limits.error();
   auto person = simulated_arm(uri, rig->rig, request.hand);
   if (!person) return person.error();
   auto device = open_marker_device(uri, person->get());
   if (!device) return device.error();
-  return std::unique_ptr<Apparatus>(std::make_unique<MarkerArm>(*std::move(device), *std::move(rig),
-                                                                request.library, *std::move(person),
-                                                                *std::move(limits)));
+  return std::unique_ptr<Apparatus>(std::make_unique<MarkerArm>(
+      *std::move(device), *std::move(rig), request.library, *std::move(person)));
 }
 
 }  // namespace isograsp::session

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/column.hpp"
 #include "core/csv.hpp"
 #include "session/resting.hpp"
 #include "tasks/score.hpp"
@@ -141,6 +142,8 @@ void Recorder::end(const RecordItem& item) {
   }
   outcome.reason = item.reason;
   outcome.measures = tasks::score(trial_->spec, signals_);
+  if (const auto worked_s = signals_.column(columns::task_time_s); !worked_s.empty())
+    outcome.worked_s = worked_s.back();
   if (item.status == storage::TrialStatus::aborted)
     stored(store_->add_event({trial_id_, item.session_time_s, "abort", item.reason.english()}));
   stored(store_->end_trial(outcome.trial, outcome.measures));

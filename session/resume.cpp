@@ -5,6 +5,7 @@
 
 #include "core/time.hpp"
 #include "hand/platform_records.hpp"
+#include "session/arm/passive_range.hpp"
 
 namespace isograsp::session {
 
@@ -51,7 +52,7 @@ Result<void> add_trials_of(storage::SessionStore& store, const storage::SessionR
     if (!measures) return measures.error();
     const double lasted_s = static_cast<double>(trial.samples) / earlier.rate_Hz;
     const double ended_s = std::min(0.0, began_s + trial.session_time_s + lasted_s);
-    work.trials.push_back({trial, *std::move(measures), ended_s});
+    work.trials.push_back({trial, *std::move(measures), ended_s, lasted_s});
   }
   return {};
 }
@@ -75,6 +76,11 @@ Result<EarlierWork> read_earlier_work(storage::SessionStore& store,
   work.last_id = last.id;
   work.allowed = last.allowed;
   work.ceiling_N = storage::value_of(last.references, platform::kCeiling_N);
+  const auto answers = store.answers(last.id);
+  if (!answers) return answers.error();
+  auto passive = passive_limits_in(*answers);
+  if (!passive) return passive.error();
+  work.passive = *std::move(passive);
   for (auto earlier = chain->rbegin(); earlier != chain->rend(); ++earlier)
     if (auto added = add_trials_of(store, *earlier, session, work); !added) return added.error();
   const auto protocol = tasks::parse_protocol(session.protocol_text, session.protocol_name);
@@ -98,6 +104,7 @@ void tell(tasks::Agenda& agenda, const tasks::ProtocolSpec& protocol, const Earl
       outcome.completed = next->record.place == place;
       if (outcome.completed) {
         ended_s = next->ended_s;
+        outcome.worked_s = next->lasted_s;
         if (!next->record.helped) outcome.agreeing = tasks::agreeing(step, next->measures);
         ++next;
       }

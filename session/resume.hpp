@@ -9,6 +9,7 @@
 
 #include "core/measure.hpp"
 #include "core/result.hpp"
+#include "hand/arm_links.hpp"
 #include "storage/records/session_store.hpp"
 #include "tasks/agenda.hpp"
 
@@ -21,17 +22,19 @@ inline constexpr double kLongestBreak_s = 4.0 * 3600.0;
 struct EarlierTrial {
   storage::TrialRecord record;
   std::vector<Measure> measures;
-  double ended_s = 0.0;  ///< in the time of the session that resumes: not positive
+  double ended_s = 0.0;   ///< in the time of the session that resumes: not positive
+  double lasted_s = 0.0;  ///< with its pauses
 };
 
 /// What an interrupted session, and those that it had resumed itself, did of their protocol.
 struct EarlierWork {
   std::optional<storage::RowId> first_id;  ///< the session that began the protocol
   std::optional<storage::RowId> last_id;   ///< the newest one
-  std::string allowed;               ///< outcome of its screening, as stored; empty: not asked
-  std::optional<double> ceiling_N;   ///< of its screening
-  std::vector<EarlierTrial> trials;  ///< in the order in which they were made
-  std::size_t trials_made = 0;       ///< broken ones included: no seed is used twice
+  std::string allowed;                ///< outcome of its screening, as stored; empty: not asked
+  std::optional<double> ceiling_N;    ///< of its screening
+  std::vector<PassiveLimit> passive;  ///< of its screening, of an arm
+  std::vector<EarlierTrial> trials;   ///< in the order in which they were made
+  std::size_t trials_made = 0;        ///< broken ones included: no seed is used twice
 };
 
 /// The work that `session`, which has no row yet, can take up: that of the newest session of the

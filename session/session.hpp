@@ -66,7 +66,7 @@ struct SessionConfig {
   const std::atomic<bool>* stop = nullptr;
   /// Goes on with the protocol that the patient's newest session with this hand has not finished.
   /// Refused if there is none, or if it began more than kLongestBreak_s ago. What its screening
-  /// said holds on where `allowed` or `ceiling_N` say nothing.
+  /// said holds on where `allowed`, `ceiling_N` or the passive ranges of `answers` say nothing.
   bool resume = false;
   bool virtual_time = false;  ///< simulated and replayed devices only
   /// The database is made for a moment and removed again (OpenMode::scratch); in virtual
@@ -86,6 +86,7 @@ struct TrialOutcome {
   std::vector<Measure> measures;
   Text reason;                                     ///< why it was not completed
   std::optional<RestOutcome> rest = std::nullopt;  ///< of a completed resting-force trial
+  double worked_s = 0.0;                           ///< on the task's clock: without pauses
 };
 
 /// What the patient's screen showed in the running trial, as far as it is known.

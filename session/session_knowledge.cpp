@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "session/arm/passive_range.hpp"
 #include "session/session.hpp"
 #include "tasks/kinds/arm/active_range.hpp"
 
@@ -34,6 +35,7 @@ void Lessons::learn(const tasks::TaskSpec& spec, const storage::TrialRecord& tri
   if (trial.status != storage::TrialStatus::completed || trial.helped) return;
   learn_maxima(measures);
   learn_range(spec, measures);
+  learn_way(spec);
   training.learn(spec, trial, measures);
   if (rest != nullptr) references.resting_C = wrenches_of(rest->rest);
 }
@@ -73,6 +75,13 @@ void Lessons::learn_range(const tasks::TaskSpec& spec, const std::vector<Measure
   known->max_rad = std::max(known->max_rad, *largest_rad);
 }
 
+void Lessons::learn_way(const tasks::TaskSpec& spec) {
+  const auto gone = way_of(spec);
+  if (!gone || !arm_screening.way_done) return;
+  double& way = (*arm_screening.way_done)[gone->postures];
+  way = std::max(way, gone->way);
+}
+
 bool SessionKnowledge::asks_for(PreparationStep step) const noexcept {
   return std::find(steps.begin(), steps.end(), step) != steps.end();
 }
@@ -86,6 +95,7 @@ tasks::TaskContext SessionKnowledge::next_context() const {
   context.period_s = apparatus.period_s;
   context.references = references;
   context.ranges = ranges;
+  context.screening = arm_screening;
   context.seed = trial_seed(order_seed(), earlier.trials_made + trials_begun);
   return context;
 }

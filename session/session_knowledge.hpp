@@ -27,6 +27,7 @@ struct Lessons {
   tasks::ForceReferences references;  ///< what tasks measure forces against
   Training training;                  ///< the level of training tasks, earlier sessions included
   std::vector<OwnRange> ranges;       ///< of the links of an arm, the widest of this session
+  tasks::ArmScreening arm_screening;  ///< passive ranges, and how far was gone to postures
 
   /// Only completed trials teach, and those in which nobody helped. `rest`: of a trial at rest.
   void learn(const tasks::TaskSpec& spec, const storage::TrialRecord& trial,
@@ -35,6 +36,8 @@ struct Lessons {
   void learn_maxima(const std::vector<Measure>& measures);
   /// A range of motion that a trial measured widens that of its link.
   void learn_range(const tasks::TaskSpec& spec, const std::vector<Measure>& measures);
+  /// The way to fixed postures that was gone, if there was a screening.
+  void learn_way(const tasks::TaskSpec& spec);
 };
 
 struct SessionKnowledge : Lessons {

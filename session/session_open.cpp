@@ -6,6 +6,7 @@
 #include "core/time.hpp"
 #include "device/config/uri.hpp"
 #include "session/arm/marker_arm.hpp"
+#include "session/arm/passive_range.hpp"
 #include "session/session_parts.hpp"
 #include "storage/access/open_store.hpp"
 #include "storage/crypto/content_hash.hpp"
@@ -65,6 +66,7 @@ struct Session::Opening {
   std::optional<std::string> latest;
   storage::PatientRecord patient;
   std::optional<storage::PreparationRecord> last_zero;
+  std::vector<storage::SessionAnswer> answers;  ///< that are stored with its row
 
   [[nodiscard]] storage::SessionRecord& record() const { return parts.known.record; }
 
@@ -87,7 +89,7 @@ struct Session::Opening {
 Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
   auto parts = std::make_unique<Parts>();
   parts->config = config;
-  Opening opening{config, *parts, {}, {}, {}, {}, {}};
+  Opening opening{config, *parts, {}, {}, {}, {}, {}, config.answers};
   for (const auto step :
        {&Opening::check_request, &Opening::open_device, &Opening::start_device, &Opening::open_file,
         &Opening::find_patient, &Opening::describe_session, &Opening::read_what_is_known,
@@ -106,6 +108,9 @@ Result<void> Session::Opening::check_request() {
   if (auto good = storage::check_patient_code(config.patient_code); !good) return good;
   for (const storage::SessionAnswer& answer : config.answers)
     if (auto good = storage::check_answer(answer); !good) return good;
+  auto passive = passive_limits_in(config.answers);
+  if (!passive) return passive.error();
+  parts.known.arm_screening.passive = *std::move(passive);
   if (config.scratch_database && !config.virtual_time)
     return refused("a session in real time is not recorded into a scratch file"_text,
                    "give a database that is kept"_text)
@@ -234,6 +239,11 @@ Result<void> Session::Opening::take_up_earlier_work() {
   if (known.record.allowed.empty()) known.record.allowed = known.earlier.allowed;
   if (!known.record.references.contains(platform::kCeiling_N))
     storage::set_value(known.record.references, platform::kCeiling_N, known.earlier.ceiling_N);
+  if (known.arm_screening.passive.empty() && !known.earlier.passive.empty()) {
+    known.arm_screening.passive = known.earlier.passive;
+    const auto again = stored(known.earlier.passive);
+    answers.insert(answers.end(), again.begin(), again.end());
+  }
   return {};
 }
 
@@ -245,6 +255,7 @@ Result<void> Session::Opening::set_references() {
       tasks::effort_from_name(known.record.allowed).value_or(tasks::Effort::maximum);
   references.ceiling_N = storage::value_of(known.record.references, platform::kCeiling_N);
   if (parts.platform != nullptr) references.resolution_N = parts.platform->resolution_N();
+  if (!known.record.allowed.empty()) known.arm_screening.way_done = known.training.way_done();
   for (const EarlierTrial& trial : known.earlier.trials)
     if (!trial.record.helped) {
       known.learn_maxima(trial.measures);
@@ -256,7 +267,7 @@ Result<void> Session::Opening::set_references() {
 
 Result<void> Session::Opening::write_session() {
   if (!config.scratch_database) record().uuid = storage::random_uuid();
-  const auto id = store->begin_session(record(), config.answers);
+  const auto id = store->begin_session(record(), answers);
   if (!id) return id.error();
   record().id = *id;
   return {};
@@ -267,7 +278,7 @@ void Session::Opening::start_recording() {
     if (const auto mean = platform::six_axes_of(last_zero->columns, last_zero->mean))
       parts.platform->set_last_zero(*mean);
   parts.acquisition = std::make_unique<Acquisition>(*parts.apparatus, *parts.clock);
-  auto writer = std::make_unique<SessionWriter>(std::move(store), patient, record(), config.answers,
+  auto writer = std::make_unique<SessionWriter>(std::move(store), patient, record(), answers,
                                                 !config.scratch_database);
   parts.recorder = std::make_unique<Recorder>(std::move(writer), record(),
                                               parts.acquisition->records(), !config.virtual_time);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "session/arm/passive_range.hpp"
 #include "tasks/measure_version.hpp"
 #include "tasks/score.hpp"
 
@@ -103,9 +104,17 @@ Result<Training> Training::read(storage::SessionStore& store,
       const auto& measures = measures_of[trial.id];
       if (!trial.practice)
         days[earlier.started_utc.substr(0, kDateLength)].push_back({trial, measures});
-      if (trial.task_text.find("\n[chosen]\n") == std::string::npos) continue;
-      if (const auto spec = tasks::parse_task(trial.task_text, trial.task_name))
-        training.learn(*spec, trial, measures);
+      const auto has = [&trial](const char* key) {
+        return trial.task_text.find(key) != std::string::npos;
+      };
+      if (!has("\n[chosen]\n") && !has("\npostures")) continue;
+      const auto spec = tasks::parse_task(trial.task_text, trial.task_name);
+      if (!spec) continue;
+      training.learn(*spec, trial, measures);
+      if (const auto gone = way_of(*spec)) {
+        double& way = training.way_done_[gone->postures];
+        way = std::max(way, gone->way);
+      }
     }
   }
   training.baseline_N_ = baseline_of(store, days);

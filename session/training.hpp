@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What follows from earlier sessions of a patient for today's: the level of each training task and
-// the baseline of each force. Only sessions of the same hand and the same kind of device (real, or
-// simulated) count, and no recordings.
+// What follows from earlier sessions of a patient for today's: the level of each training task, the
+// baseline of each force and how far an arm has gone to postures. Only sessions of the same hand
+// and the same kind of device (real, or simulated) count, and no recordings.
 #pragma once
 
 #include <map>
@@ -32,11 +32,14 @@ class Training {
   [[nodiscard]] const std::map<ForceChannel, double>& baseline_N() const noexcept {
     return baseline_N_;
   }
+  /// Largest part of the way that was gone to each file of fixed postures.
+  [[nodiscard]] const std::map<std::string, double>& way_done() const noexcept { return way_done_; }
 
  private:
   using Key = std::pair<std::string, int>;  ///< name and version of the task
   std::map<Key, tasks::Staircase> staircases_;
   std::map<ForceChannel, double> baseline_N_;
+  std::map<std::string, double> way_done_;
 };
 
 /// The measure that decides reached what the task asks for.

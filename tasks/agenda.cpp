@@ -13,6 +13,8 @@ namespace isograsp::tasks {
 namespace {
 
 constexpr std::uint64_t kOrderStream = 210;
+/// A task whose clock stands still would otherwise be asked without end.
+constexpr int kMostAttemptsInBouts = 200;
 
 /// Every task `repetitions` times.
 std::vector<std::size_t> planned(const ProtocolStep& step, std::uint64_t seed) {
@@ -53,6 +55,8 @@ void Agenda::enter_step() {
   values_.assign(std::max<std::size_t>(1, step.tasks.size()), {});
   attempts_.assign(values_.size(), 0);
   given_up_.assign(values_.size(), false);
+  worked_s_.assign(values_.size(), 0.0);
+  bout_worked_s_ = 0.0;
 }
 
 std::optional<Agenda::Item> Agenda::next() const {
@@ -74,7 +78,8 @@ void Agenda::record(const Outcome& outcome) {
   ++attempts_[task];
   if (outcome.completed && outcome.agreeing) values_[task].push_back(*outcome.agreeing);
   if (step.kind == ProtocolStep::Kind::task) ended_s_[step.tasks[task]] = outcome.ended_s;
-  rest_until_s_ = outcome.completed ? outcome.ended_s + step.rest_s : rest_until_s_;
+  worked_s_[task] += outcome.worked_s;
+  rest_until_s_ = outcome.completed ? outcome.ended_s + rest_after(outcome) : rest_until_s_;
   ++place_;
   if (!outcome.completed) give_up(task);
   if (place_ == order_.size()) plan_more();
@@ -90,14 +95,28 @@ void Agenda::give_up(std::size_t task) {
       order_.end());
 }
 
-void Agenda::plan_more() {
+double Agenda::rest_after(const Outcome& outcome) {
   const ProtocolStep& step = protocol_.steps[step_];
-  if (!step.agreement) return;
-  for (std::size_t task = 0; task < step.tasks.size(); ++task)
-    if (!given_up_[task] && attempts_[task] < step.agreement->most_repetitions &&
-        !attempts_agree(values_[task], step.agreement->percent,
-                        step.practice ? Compared::last_two : Compared::best_two))
-      order_.push_back(task);
+  if (!step.bouts) return step.rest_s;
+  bout_worked_s_ += outcome.worked_s;
+  if (bout_worked_s_ < step.bouts->bout_s) return step.rest_s;
+  bout_worked_s_ = 0.0;
+  return step.bouts->rest_s;
+}
+
+bool Agenda::has_to_go_on(std::size_t task) const {
+  const ProtocolStep& step = protocol_.steps[step_];
+  if (given_up_[task]) return false;
+  if (step.bouts)
+    return worked_s_[task] < step.bouts->work_s && attempts_[task] < kMostAttemptsInBouts;
+  return step.agreement && attempts_[task] < step.agreement->most_repetitions &&
+         !attempts_agree(values_[task], step.agreement->percent,
+                         step.practice ? Compared::last_two : Compared::best_two);
+}
+
+void Agenda::plan_more() {
+  for (std::size_t task = 0; task < protocol_.steps[step_].tasks.size(); ++task)
+    if (has_to_go_on(task)) order_.push_back(task);
 }
 
 int Agenda::expected() const {
@@ -119,6 +138,7 @@ double time_of(const ProtocolSpec& protocol, const std::vector<std::vector<TaskS
   int attempt = 0;
   while (const auto item = agenda.next()) {
     const ProtocolStep& step = protocol.steps[item->step];
+    double worked_s = 0.0;
     now_s = std::max(now_s, item->not_before_s);
     if (step.prepares()) {
       now_s += kPreparation_s;
@@ -127,10 +147,11 @@ double time_of(const ProtocolSpec& protocol, const std::vector<std::vector<TaskS
     } else {
       const Duration duration = tasks[item->step][item->task].duration();
       if (instructed.insert(step.tasks[item->task]).second) now_s += kInstruction_s;
-      now_s += worst ? duration.worst_s : duration.nominal_s;
+      worked_s = worst ? duration.worst_s : duration.nominal_s;
+      now_s += worked_s;
     }
     // Attempts that grow tenfold never agree; equal ones do at once.
-    agenda.record({true, worst ? std::pow(10.0, ++attempt) : 1.0, now_s});
+    agenda.record({true, worst ? std::pow(10.0, ++attempt) : 1.0, now_s, worked_s});
   }
   return now_s;
 }

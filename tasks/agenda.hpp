@@ -26,6 +26,7 @@ class Agenda {
     bool completed = true;           ///< false: the task was refused for this hand
     std::optional<double> agreeing;  ///< the measure on which attempts must agree
     double ended_s = 0.0;            ///< session time
+    double worked_s = 0.0;           ///< on the task's clock
   };
 
   /// Refers to `protocol`, which must outlive it.
@@ -43,6 +44,8 @@ class Agenda {
  private:
   void enter_step();
   void plan_more();
+  [[nodiscard]] bool has_to_go_on(std::size_t task) const;
+  [[nodiscard]] double rest_after(const Outcome& outcome);
   /// Asking a refused task again is of no use.
   void give_up(std::size_t task);
 
@@ -54,6 +57,8 @@ class Agenda {
   std::vector<std::vector<double>> values_;  ///< per task of this step: agreeing measures
   std::vector<int> attempts_;                ///< per task of this step
   std::vector<bool> given_up_;               ///< per task of this step
+  std::vector<double> worked_s_;             ///< per task of this step
+  double bout_worked_s_ = 0.0;               ///< since the hand rested last between bouts
   std::map<std::string, double> ended_s_;    ///< per task file
   double rest_until_s_ = 0.0;
   int done_ = 0;

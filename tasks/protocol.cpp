@@ -41,6 +41,19 @@ void read_agreement(TomlReader& table, ProtocolStep& step) {
   step.agreement = std::move(agreement);
 }
 
+void read_bouts(TomlReader& table, ProtocolStep& step) {
+  if (!table.has("work_s")) return;
+  Bouts bouts;
+  bouts.work_s = read_duration(table, "work_s", 0.0);
+  bouts.bout_s = read_duration(table, "bout_s", bouts.work_s);
+  bouts.rest_s = read_wait(table, "bout_rest_s", step.rest_s);
+  if (step.agreement)
+    table.fail("work_s", "stands beside agree_measure"_text, "leave out one of the two"_text);
+  if (bouts.rest_s < step.rest_s)
+    table.fail("bout_rest_s", "is below rest_s"_text, "write a larger number"_text);
+  step.bouts = bouts;
+}
+
 ProtocolStep read_step(TomlReader& table) {
   ProtocolStep step;
   step.kind = static_cast<ProtocolStep::Kind>(
@@ -55,6 +68,7 @@ ProtocolStep read_step(TomlReader& table) {
   read_tasks(table, step);
   step.repetitions = read_count(table, "repetitions", 1, kMostStepRepetitions);
   read_agreement(table, step);
+  read_bouts(table, step);
   step.practice = table.boolean("practice", false);
   step.adaptive = table.boolean("adaptive", false);
   step.recurrence_s = read_wait(table, "recurrence_s", 0.0);

@@ -26,6 +26,13 @@ struct Agreement {
   int most_repetitions = 4;
 };
 
+/// Work in bouts, such as familiarisation: attempts go on until they have taken their time.
+struct Bouts {
+  double work_s = 0.0;  ///< all attempts at a task together, on its clock
+  double bout_s = 0.0;  ///< after so much work the hand rests …
+  double rest_s = 0.0;  ///< … for so long
+};
+
 /// One step of a protocol.
 struct ProtocolStep {
   enum class Kind : std::uint8_t {
@@ -44,11 +51,12 @@ struct ProtocolStep {
   int repetitions = 1;  ///< of each task
   /// Assessment: the best two must agree. Practice: the last two must.
   std::optional<Agreement> agreement;
-  bool practice = false;      ///< recorded, but no assessment
-  bool adaptive = false;      ///< training: difficulty follows success
-  double rest_s = 0.0;        ///< pause after each repetition
-  double recurrence_s = 0.0;  ///< the same task begins at the earliest this long after its end
-  double duration_s = 0.0;    ///< of a pause
+  std::optional<Bouts> bouts;  ///< never beside an agreement
+  bool practice = false;       ///< recorded, but no assessment
+  bool adaptive = false;       ///< training: difficulty follows success
+  double rest_s = 0.0;         ///< pause after each repetition
+  double recurrence_s = 0.0;   ///< the same task begins at the earliest this long after its end
+  double duration_s = 0.0;     ///< of a pause
 };
 
 struct ProtocolSpec {

@@ -4,11 +4,14 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/result.hpp"
+#include "hand/arm_links.hpp"
 #include "kinematics/postures.hpp"
 #include "tasks/references.hpp"
 #include "tasks/task_spec.hpp"
@@ -23,12 +26,21 @@ struct ArmPostures {
   std::string text;  ///< the file of the postures as it is; of an own range what it is of
 };
 
+/// What the screening of an arm leaves to its tasks (session/arm/passive_range.hpp).
+struct ArmScreening {
+  std::vector<PassiveLimit> passive;  ///< no target goes beyond them
+  /// Largest part of the way that was done to each file of postures, today or before. Nothing:
+  /// there was no screening, and how far a target goes is not asked.
+  std::optional<std::map<std::string, double>> way_done;
+};
+
 /// What a task may depend on besides its file; stored with the trial.
 struct TaskContext {
   double period_s = 0.01;  ///< of the frame grid
   std::uint64_t seed = 0;  ///< of fresh sequences and waits that cannot be foreseen
   ForceReferences references;
-  std::vector<OwnRange> ranges;    ///< of the links of this arm, measured in this session
+  std::vector<OwnRange> ranges;  ///< of the links of this arm, measured in this session
+  ArmScreening screening;
   std::optional<ArmPostures> arm;  ///< of a task that names postures
 };
 

@@ -11,6 +11,7 @@
 #include "kinematics/pose_series.hpp"
 #include "kinematics/pose_task.hpp"
 #include "kinematics/postures.hpp"
+#include "session/arm/passive_range.hpp"
 #include "session/library/library.hpp"
 #include "storage/crypto/content_hash.hpp"
 #include "tasks/kinds/arm/active_range.hpp"
@@ -57,12 +58,11 @@ Result<tasks::ArmPostures> own_postures(LinkAngle asked, const std::vector<OwnRa
 }  // namespace
 
 MarkerArm::MarkerArm(std::unique_ptr<MarkerDevice> device, ArmRig rig, std::string library,
-                     std::unique_ptr<MarkerSource> person, std::vector<PassiveLimit> limits)
+                     std::unique_ptr<MarkerSource> person)
     : person_(std::move(person)),
       device_(std::move(device)),
       rig_(std::move(rig)),
-      library_(std::move(library)),
-      limits_(std::move(limits)) {
+      library_(std::move(library)) {
   const MarkerDeviceInfo& of = device_->info();
   info_ = {kKind,       of.description, of.simulated, of.recorded,
            of.period_s, of.delay_s,     of.provenance};
@@ -156,7 +156,7 @@ Result<std::unique_ptr<TrialSetup>> MarkerArm::make_trial(const tasks::TaskSpec&
   auto arm = postures(spec, context.ranges);
   if (!arm) return arm.error();
   if (auto allowed = check_screening(spec, *arm ? &(*arm)->library : nullptr, rig_.links,
-                                     context.references.allowed, limits_);
+                                     context.references.allowed, context.screening);
       !allowed)
     return allowed.error();
   tasks::TaskContext of_this_arm = context;

@@ -16,7 +16,6 @@
 #include "session/arm/arm_snapshot.hpp"
 #include "session/arm/arm_trial.hpp"
 #include "session/arm/held_object.hpp"
-#include "session/arm/passive_range.hpp"
 #include "session/arm/picture_reader.hpp"
 #include "session/arm/start_posture.hpp"
 
@@ -28,9 +27,8 @@ class MarkerArm final : public Apparatus {
 
   /// `library` is a folder with postures/. `person` moves a simulated arm and watches the screen;
   /// null: nobody is simulated. The device shows what it does.
-  /// `limits`: of the screening; no target exceeds them.
   MarkerArm(std::unique_ptr<MarkerDevice> device, ArmRig rig, std::string library,
-            std::unique_ptr<MarkerSource> person = nullptr, std::vector<PassiveLimit> limits = {});
+            std::unique_ptr<MarkerSource> person = nullptr);
 
   [[nodiscard]] const MarkerDeviceInfo& device() const noexcept { return device_->info(); }
   Latest<ArmSnapshot>& snapshots() noexcept { return snapshots_; }  ///< acquisition -> owner
@@ -85,7 +83,6 @@ class MarkerArm final : public Apparatus {
   std::unique_ptr<MarkerDevice> device_;  ///< shows the person
   ArmRig rig_;
   std::string library_;
-  std::vector<PassiveLimit> limits_;
   ApparatusInfo info_;
   const Clock* clock_ = nullptr;
   bool streaming_ = false;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <numbers>
 #include <optional>
 
@@ -18,10 +20,17 @@ constexpr const char* kTopic = "screening";
 constexpr double kDegree_rad = std::numbers::pi / 180.0;
 /// Angles of a posture and of the range, entered in whole degrees, are equal within this.
 constexpr double kSameAngle_rad = 1e-9;
+constexpr double kPercent = 100.0;
+int percent_of(double part) {
+  return static_cast<int>(std::lround(kPercent * part));
+}
 
+constexpr int kAngles = 3;  // of a link
+std::string name_of(const LinkAngle& of) {
+  return std::string(kArmLinkNames[index_of(of.link)]) + "_a" + std::to_string(of.angle);
+}
 std::string item_of(const LinkAngle& of, const char* end) {
-  return "passive_" + std::string(kArmLinkNames[index_of(of.link)]) + "_a" +
-         std::to_string(of.angle) + "_" + end + "_deg";
+  return "passive_" + name_of(of) + "_" + end + "_deg";
 }
 
 Result<std::optional<double>> angle_in(std::span<const storage::SessionAnswer> answers,
@@ -40,14 +49,15 @@ Result<std::optional<double>> angle_in(std::span<const storage::SessionAnswer> a
 
 /// Of a task whose targets are postures: which ones, and how far they are gone to.
 struct Targets {
+  const std::string* postures = nullptr;  ///< name of their file; empty: of the own range
   const std::vector<std::string>* names = nullptr;
   double way = 1.0;
 };
 std::optional<Targets> targets_of(const tasks::TaskSpec& spec) {
   if (const auto* matching = spec.kind.get_if<tasks::PoseMatchingSpec>())
-    return Targets{&matching->sequence, matching->way};
+    return Targets{&matching->postures, &matching->sequence, matching->way};
   if (const auto* following = spec.kind.get_if<tasks::PoseFollowingSpec>())
-    return Targets{&following->sequence, following->way};
+    return Targets{&following->postures, &following->sequence, following->way};
   return std::nullopt;
 }
 
@@ -82,7 +92,6 @@ std::optional<Beyond> first_beyond(const Postures& at, const std::vector<std::st
 std::optional<int> percent_that_fits(const Postures& library, const Targets& targets,
                                      const std::array<RigLink, kArmLinkCount>& links,
                                      std::span<const PassiveLimit> limits) {
-  constexpr double kPercent = 100.0;
   std::optional<int> fits;
   for (int percent = 0; percent < kPercent * targets.way; ++percent) {
     if (first_beyond(part_of_the_way(library, percent / kPercent), *targets.names, links, limits))
@@ -90,6 +99,27 @@ std::optional<int> percent_that_fits(const Postures& library, const Targets& tar
     fits = percent;
   }
   return fits;
+}
+
+/// The stage that has to come before this part of the way; nothing: it may be the first.
+std::optional<double> stage_before(double way) noexcept {
+  const auto at =
+      std::find_if(kStages.begin(), kStages.end(), [way](double stage) { return way <= stage; });
+  if (at == kStages.begin() || at == kStages.end()) return std::nullopt;
+  return *std::prev(at);
+}
+
+Result<void> check_stage(const tasks::TaskSpec& spec, const Targets& targets,
+                         const std::map<std::string, double>& way_done) {
+  const auto before = stage_before(targets.way);
+  if (!before || targets.postures->empty()) return {};
+  const auto done = way_done.find(*targets.postures);
+  if (done != way_done.end() && done->second >= *before) return {};
+  return refused("goes %1 % of the way before %2 % of it were done"_text(percent_of(targets.way),
+                                                                         percent_of(*before)),
+                 "do a task with way_percent = %1 first"_text(percent_of(*before)))
+      .at(spec.file)
+      .about("way_percent");
 }
 
 }  // namespace
@@ -111,7 +141,7 @@ Result<std::vector<PassiveLimit>> passive_limits_in(
     std::span<const storage::SessionAnswer> answers) {
   std::vector<PassiveLimit> limits;
   for (std::size_t link = 0; link < kArmLinkCount; ++link)
-    for (int angle = 1; angle <= 3; ++angle) {
+    for (int angle = 1; angle <= kAngles; ++angle) {
       const LinkAngle of{static_cast<ArmLink>(link), angle};
       const auto least = angle_in(answers, item_of(of, "least"));
       if (!least) return least.error();
@@ -127,9 +157,40 @@ Result<std::vector<PassiveLimit>> passive_limits_in(
   return limits;
 }
 
+Result<PassiveLimit> passive_limit_from(std::string_view text) {
+  const auto wrong = [&text] {
+    return refused("'%1' is no passive range"_text(std::string(text)),
+                   "write LINK_aANGLE=LEAST:MOST in degrees, e.g. forearm_a3=-40:60"_text);
+  };
+  const std::size_t equals = text.find('=');
+  const std::size_t colon = text.find(':');
+  if (equals == std::string_view::npos || colon == std::string_view::npos || colon < equals)
+    return wrong();
+  for (std::size_t link = 0; link < kArmLinkCount; ++link)
+    for (int angle = 1; angle <= kAngles; ++angle) {
+      const LinkAngle of{static_cast<ArmLink>(link), angle};
+      if (text.substr(0, equals) != name_of(of)) continue;
+      const auto limits = passive_limits_in(std::array{
+          storage::SessionAnswer{kTopic, item_of(of, "least"),
+                                 std::string(text.substr(equals + 1, colon - equals - 1))},
+          storage::SessionAnswer{kTopic, item_of(of, "most"),
+                                 std::string(text.substr(colon + 1))}});
+      if (!limits) return limits.error();
+      return limits->front();
+    }
+  return wrong();
+}
+
+std::optional<WayTo> way_of(const tasks::TaskSpec& spec) {
+  const auto targets = targets_of(spec);
+  if (!targets || targets->postures->empty()) return std::nullopt;
+  return WayTo{*targets->postures, targets->way};
+}
+
 Result<void> check_screening(const tasks::TaskSpec& spec, const Postures* library,
                              const std::array<RigLink, kArmLinkCount>& links, tasks::Effort allowed,
-                             std::span<const PassiveLimit> limits) {
+                             const tasks::ArmScreening& screening) {
+  const std::span<const PassiveLimit> limits = screening.passive;
   if (allowed == tasks::Effort::none)
     return refused("the screening allows this arm no movement"_text,
                    "leave the task out, or repeat the screening"_text)
@@ -142,6 +203,8 @@ Result<void> check_screening(const tasks::TaskSpec& spec, const Postures* librar
                    "choose a task with way_percent = 50 or less"_text)
         .at(spec.file)
         .about("way_percent");
+  if (screening.way_done)
+    if (auto staged = check_stage(spec, *targets, *screening.way_done); !staged) return staged;
   if (library == nullptr || limits.empty()) return {};
   const auto beyond =
       first_beyond(part_of_the_way(*library, targets->way), *targets->names, links, limits);

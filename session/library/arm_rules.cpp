@@ -48,7 +48,8 @@ Result<void> check_rests(const tasks::ProtocolSpec& protocol,
                        "at most %1, then rest; repeat the task"_text(kMostMovements))
             .at(protocol.file)
             .about("task");
-      on_end += step.repetitions * task.repetitions();
+      // In bouts the task comes as often as it takes: more than once.
+      on_end += (step.bouts ? 1 + kMostMovements : step.repetitions) * task.repetitions();
       if (step.practice || step.adaptive) continue;
       if (auto assessed = check_assessment(task); !assessed) return assessed;
     }

@@ -102,6 +102,7 @@ void ProtocolWalk::made(const TrialOutcome& trial, double session_time_s) {
   outcome.ended_s = session_time_s;
   if (const auto act = next(); act && !trial.trial.helped)
     outcome.agreeing = tasks::agreeing(protocol_.spec.steps[act->step], trial.measures);
+  outcome.worked_s = trial.worked_s;
   record(outcome);
 }
 

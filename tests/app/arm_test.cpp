@@ -191,7 +191,7 @@ TEST(Arm, AMovingReferenceIsFollowedScoredVerifiedAndReported) {
   const std::string healthy = run_following("healthy");
   const std::string paretic = run_following("paretic");
   const auto error = all_printed(healthy, "rmse");
-  ASSERT_EQ(error.size(), 2u * 5u) << "of position and attitude, practice and twice each\n"
+  ASSERT_EQ(error.size(), 2u * 6u) << "of position and attitude, two of practice and twice each\n"
                                    << healthy;
   const auto other = all_printed(paretic, "rmse");
   ASSERT_EQ(other.size(), error.size()) << paretic;

@@ -157,8 +157,12 @@ struct Bench {
   }
   void begin() { begin(task(folder_.path(""))); }
   void begin(const tasks::TaskSpec& spec) {
-    trial_ = test::must(apparatus().make_trial(
-        spec, {.period_s = kPeriod_s, .seed = 1, .references = {}, .ranges = {}, .arm = {}}));
+    trial_ = test::must(apparatus().make_trial(spec, {.period_s = kPeriod_s,
+                                                      .seed = 1,
+                                                      .references = {},
+                                                      .ranges = {},
+                                                      .screening = {},
+                                                      .arm = {}}));
     EXPECT_TRUE(
         acquisition_->commands().push({.kind = Command::Kind::begin, .setup = trial_.get()}));
   }

@@ -4,7 +4,9 @@
 #include "session/arm/passive_range.hpp"
 
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <optional>
 #include <regex>
 #include <string>
 
@@ -41,10 +43,20 @@ tasks::TaskSpec task(int way_percent, const std::string& posture = "pronation") 
 PassiveLimit forearm(double least_deg, double most_deg) {
   return {{ArmLink::forearm, 3}, kDegree_rad * least_deg, kDegree_rad * most_deg};
 }
+Result<void> screened(const tasks::TaskSpec& spec, const tasks::ArmScreening& screening,
+                      tasks::Effort allowed = tasks::Effort::maximum) {
+  const Postures library = postures();
+  return check_screening(spec, &library, links(), allowed, screening);
+}
 Result<void> checked(const tasks::TaskSpec& spec, const std::vector<PassiveLimit>& limits,
                      tasks::Effort allowed = tasks::Effort::maximum) {
-  const Postures library = postures();
-  return check_screening(spec, &library, links(), allowed, limits);
+  return screened(spec, {limits, std::nullopt}, allowed);
+}
+/// After a screening, where this part of the way was done before; negative: nothing was.
+Result<void> after(double way_done, const tasks::TaskSpec& spec) {
+  std::map<std::string, double> done;
+  if (way_done >= 0.0) done["forearm_and_wrist"] = way_done;
+  return screened(spec, {{}, done});
 }
 
 // The library starts 20 degrees pronated; "pronation" turns 40 further, "supination" 50 back.
@@ -83,6 +95,102 @@ TEST(PassiveRange, WhereASmallRangeIsAllowedHalfOfTheWayIsTheMostAndNoMovementIs
   EXPECT_TRUE(checked(task(50), {}, tasks::Effort::comfortable).ok());
   EXPECT_FALSE(checked(task(51), {}, tasks::Effort::comfortable).ok());
   EXPECT_FALSE(checked(task(10), {}, tasks::Effort::none).ok());
+}
+
+TEST(Stages, FiftySeventyFiveAndHundredPerCentComeEachOnlyAfterTheOneBefore) {
+  EXPECT_TRUE(after(-1, task(50)));
+  for (const int percent : {51, 75, 76, 100}) EXPECT_FALSE(after(-1, task(percent))) << percent;
+  EXPECT_FALSE(after(0.49, task(75)));
+  EXPECT_TRUE(after(0.5, task(75)));
+  EXPECT_FALSE(after(0.74, task(100)));
+  EXPECT_TRUE(after(0.75, task(100)));
+  EXPECT_TRUE(after(1.0, task(100)));
+  const auto refused = after(0.5, task(100));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().field, "way_percent");
+  EXPECT_NE(refused.error().message().find("way_percent = 75 first"), std::string::npos)
+      << refused.error().message();
+  EXPECT_FALSE(screened(task(75), {{}, std::map<std::string, double>{{"screw", 1.0}}}))
+      << "other postures are another way";
+  EXPECT_TRUE(screened(task(100), {})) << "nobody was screened";
+}
+
+TEST(Stages, AreCountedWithinASessionAndFromOneDayToTheNext) {
+  const test::TemporaryFolder folder;
+  const auto on = [&](const std::string& steps, const std::string& patient) {
+    const std::string file = folder.write("steps.toml",
+                                          "format = \"isograsp-protocol-1\"\nname = \"Steps\"\n"
+                                          "[[step]]\nkind = \"start_posture\"\n" +
+                                              steps);
+    const auto protocol = test::must(read_protocol(file, kLibrary));
+    SessionConfig config;
+    config.database = folder.path("clinic.db");
+    config.create_database = true;
+    config.patient_code = patient;
+    config.device_uri = "sim://arm?patient=healthy&seed=3";
+    config.library = kLibrary;
+    config.virtual_time = true;
+    config.allowed = tasks::Effort::maximum;
+    auto open = test::must(Session::open(config));
+    auto result = test::must(run_protocol(*open, protocol, {}));
+    open->close();
+    return result;
+  };
+  const auto step = [](const std::string& name) {
+    return "[[step]]\nkind = \"task\"\ntask = \"" + name + ".toml\"\nrest_s = 60\n";
+  };
+  const auto whole = on(step("arm_screw"), "A-1");
+  ASSERT_EQ(whole.left_out.size(), 1u);
+  EXPECT_NE(english(whole.left_out[0]).find("75 % of it"), std::string::npos)
+      << english(whole.left_out[0]);
+  const auto staged = on(step("arm_screw_half") + step("arm_screw_three_quarters"), "A-1");
+  EXPECT_TRUE(staged.left_out.empty()) << "within a session";
+  EXPECT_TRUE(on(step("arm_screw"), "A-1").left_out.empty()) << "the next one knows";
+  EXPECT_EQ(on(step("arm_screw"), "A-2").left_out.size(), 1u) << "of another person";
+}
+
+TEST(PassiveRange, IsTypedInDegreesAndWhatIsNoneIsRefused) {
+  const auto typed = test::must(passive_limit_from("forearm_a3=-40:60.5"));
+  EXPECT_EQ(typed.angle, (LinkAngle{ArmLink::forearm, 3}));
+  EXPECT_DOUBLE_EQ(typed.least_rad, -40 * kDegree_rad);
+  EXPECT_DOUBLE_EQ(typed.most_rad, 60.5 * kDegree_rad);
+  for (const char* text : {"", "forearm_a3", "forearm_a3=", "forearm_a3=1", "forearm_a3=60:-40",
+                           "forearm_a4=-1:1", "elbow_a1=-1:1", "forearm_a3=x:1", "forearm_a3:1=2",
+                           "forearm_a3=-181:0", "forearm_a3=nan:1"})
+    EXPECT_FALSE(passive_limit_from(text)) << text;
+}
+
+TEST(PassiveRange, HoldsOnInTheSessionThatResumes) {
+  const test::TemporaryFolder folder;
+  const auto config = [&](bool resume) {
+    SessionConfig of;
+    of.database = folder.path("clinic.db");
+    of.create_database = true;
+    of.patient_code = "A-1";
+    of.device_uri = "sim://arm?patient=healthy&seed=3";
+    of.library = kLibrary;
+    of.virtual_time = true;
+    const std::string file = kLibrary + "/protocols/arm_assessment.toml";
+    of.protocol_name = "Arm";
+    of.protocol_text = test::must(read_text(file));
+    of.resume = resume;
+    return of;
+  };
+  const std::vector<PassiveLimit> entered{forearm(-80, 25)};
+  {
+    SessionConfig first = config(false);
+    first.answers = stored(entered);
+    (void)test::must(Session::open(first));
+  }
+  for (int again = 0; again < 2; ++again) {
+    const auto open = test::must(Session::open(config(true)));
+    EXPECT_EQ(open->known().arm_screening.passive, entered) << again;
+  }
+  SessionConfig anew = config(true);
+  anew.answers = stored(std::vector<PassiveLimit>{forearm(-10, 30)});
+  EXPECT_EQ(test::must(Session::open(anew))->known().arm_screening.passive,
+            (std::vector<PassiveLimit>{forearm(-10, 30)}))
+      << "what is asked again replaces it";
 }
 
 TEST(PassiveRange, AnswersThatAreNoRangeAreRefusedByTheirName) {

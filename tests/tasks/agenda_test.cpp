@@ -93,6 +93,38 @@ TEST(Agenda, PracticeLooksAtTheLastTwoAndAssessmentAtTheBestTwo) {
   EXPECT_EQ(play(protocol_of({step}), 1, values).order, "aaaa");
 }
 
+/// Each attempt works for 50 of its seconds.
+std::vector<double> begun_in_bouts(const ProtocolSpec& protocol) {
+  Agenda agenda(protocol, 1);
+  std::vector<double> begun_s;
+  double now_s = 0.0;
+  while (const auto item = agenda.next()) {
+    now_s = std::max(now_s, item->not_before_s);
+    begun_s.push_back(now_s);
+    now_s += 55.0;
+    agenda.record({true, std::nullopt, now_s, 50.0});
+  }
+  return begun_s;
+}
+
+TEST(Agenda, WorkInBoutsGoesOnUntilItsTimeIsDoneAndRestsBetweenThem) {
+  ProtocolStep step = step_of({"a"}, 1, Order::ordered);
+  step.practice = true;
+  step.rest_s = 10.0;
+  step.bouts = Bouts{210.0, 100.0, 60.0};
+  // 50 s and 50 s are a bout; five attempts are the first to have worked for 210 s.
+  EXPECT_EQ(begun_in_bouts(protocol_of({step})),
+            (std::vector<double>{0.0, 65.0, 180.0, 245.0, 360.0}));
+  step.bouts = Bouts{50.0, 50.0, 60.0};
+  EXPECT_EQ(begun_in_bouts(protocol_of({step})).size(), 1u);
+}
+
+TEST(Agenda, WorkInBoutsThatNeverCountsEnds) {
+  ProtocolStep step = step_of({"a"}, 1, Order::ordered);
+  step.bouts = Bouts{210.0, 100.0, 60.0};
+  EXPECT_EQ(play(protocol_of({step}), 1, no_value).order.size(), 200u);
+}
+
 TEST(Agenda, ARefusedTaskIsNotAskedAgain) {
   ProtocolStep step = step_of({"a", "b"}, 3, Order::interleaved);
   step.agreement = Agreement{10.0, "maximum_force", 4};

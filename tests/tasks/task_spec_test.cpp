@@ -113,6 +113,28 @@ TEST(ProtocolSpec, StepsKeepTheirOrderAndTheirOwnSettings) {
   EXPECT_EQ(protocol->steps[1].rest_s, 60.0);
 }
 
+TEST(ProtocolSpec, ABoutIsAllOfTheWorkAndRestsAsAfterEachAttemptWhereNothingElseIsSaid) {
+  const auto bouts_of = [](const std::string& keys) {
+    const auto protocol = parse_protocol(
+        "format = \"isograsp-protocol-1\"\nname = \"p\"\n[[step]]\nkind = \"task\"\n"
+        "task = \"a.toml\"\nrest_s = 10\n" +
+            keys,
+        "p.toml");
+    EXPECT_TRUE(protocol) << protocol.error().message();
+    return protocol->steps[0].bouts;
+  };
+  EXPECT_FALSE(bouts_of(""));
+  const auto plain = bouts_of("work_s = 900\n");
+  ASSERT_TRUE(plain);
+  EXPECT_EQ(plain->bout_s, 900.0);
+  EXPECT_EQ(plain->rest_s, 10.0);
+  const auto whole = bouts_of("work_s = 900\nbout_s = 180\nbout_rest_s = 60\n");
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(whole->work_s, 900.0);
+  EXPECT_EQ(whole->bout_s, 180.0);
+  EXPECT_EQ(whole->rest_s, 60.0);
+}
+
 TEST(ProtocolSpec, EveryMistakeNamesLineFieldAndRemedy) {
   const std::string head = "format = \"isograsp-protocol-1\"\nname = \"p\"\n";
   const std::pair<std::string, std::string> bad[] = {
@@ -125,6 +147,13 @@ TEST(ProtocolSpec, EveryMistakeNamesLineFieldAndRemedy) {
        "p.toml:6: step[1].repetitions: 0 is out of range; write a whole number from 1 to 100"},
       {"[[step]]\nkind = \"task\"\ntask = \"a\"\nrest_s = -1\n",
        "p.toml:6: step[1].rest_s: -1 is out of range; write a number from 0 to 3600"},
+      {"[[step]]\nkind = \"task\"\ntask = \"a\"\nrepetitions = 2\nagree_measure = \"x\"\nwork_s = "
+       "60\n",
+       "p.toml:8: step[1].work_s: stands beside agree_measure; leave out one of the two"},
+      {"[[step]]\nkind = \"task\"\ntask = \"a\"\nrest_s = 10\nwork_s = 60\nbout_rest_s = 9\n",
+       "p.toml:8: step[1].bout_rest_s: is below rest_s; write a larger number"},
+      {"[[step]]\nkind = \"task\"\ntask = \"a\"\nbout_s = 60\n",
+       "p.toml:6: step[1].bout_s: unknown key; remove it or correct its spelling"},
       {"[[step]]\nkind = \"instrument_zero\"\ntask = \"a\"\n",
        "p.toml:5: step[1].task: unknown key; remove it or correct its spelling"},
   };

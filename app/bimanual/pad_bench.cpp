@@ -4,6 +4,7 @@
 #include <chrono>
 #include <memory>
 
+#include <Eigen/LU>
 #include <nlohmann/json.hpp>
 
 #include "app/bimanual/bimanual_commands.hpp"

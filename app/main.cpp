@@ -4,6 +4,7 @@
 
 #include <sys/stat.h>
 
+#include "app/bimanual/bimanual_commands.hpp"
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/console.hpp"
@@ -40,6 +41,8 @@ int main(int argc, char** argv) {
   isograsp::app::add_simulate(line);
   isograsp::app::add_study(line);
   isograsp::app::add_target(line);
+  isograsp::app::add_patch(line);
+  isograsp::app::add_pad_bench(line);
 
   std::vector<const char*> words(argv, argv + argc);
   if (const auto chosen = isograsp::app::choose_language(words); !chosen)

@@ -5,8 +5,10 @@
 #include <memory>
 #include <vector>
 
+#include "app/bimanual/bimanual_commands.hpp"
 #include "app/commands.hpp"
 #include "app/console.hpp"
+#include "bimanual/read_hands.hpp"
 #include "core/csv.hpp"
 #include "grasp_model/plan.hpp"
 #include "grasp_model/scene.hpp"
@@ -81,6 +83,8 @@ Result<void> simulate(const SimulateOptions& options) {
   if (auto different = check_different(options.forces, options.out); !different) return different;
   auto text = read_text(options.scene);
   if (!text) return text.error();
+  if (bimanual::has_hands(*text))
+    return simulate_hands({options.scene, *text, options.forces, options.out});
   auto scene = parse_scene(*text, options.scene);
   if (!scene) return scene.error();
   // A first pass over the times alone: the length of a hold depends on all of them.

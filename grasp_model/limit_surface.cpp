@@ -89,15 +89,4 @@ double disk_torsion_m(Pressure pressure, double friction, double radius_m) noexc
   return (pressure == Pressure::uniform ? 2.0 / 3.0 : 3.0 * kPi / 16.0) * friction * radius_m;
 }
 
-double patch_torsion_m(std::span<const PatchElement> patch, double friction) noexcept {
-  double moment = 0.0;
-  double force = 0.0;
-  for (const auto& element : patch) {
-    const double pressed = element.pressure * element.area_m2;
-    moment += pressed * element.distance_m;
-    force += pressed;
-  }
-  return force > 0.0 ? friction * moment / force : 0.0;
-}
-
 }  // namespace isograsp

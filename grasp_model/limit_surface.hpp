@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Friction of a contact patch that slides and turns about its normal at once (Coulomb-Contensou),
-// exact for a disk, and the torsional limit of a patch. For contacts with a known slip velocity;
-// measured forces use the ellipsoid (contact.hpp). Formulas: docs/grasp_model.md, "Soft finger". SI
+// exact for a disk, and its torsional limit (that of any patch: patch/). For contacts with a known
+// slip velocity; measured forces use the ellipsoid (contact.hpp). Formulas: docs/grasp_model.md, "Soft finger". SI
 // units.
 #pragma once
 
 #include <cstdint>
-#include <span>
 
 namespace isograsp {
 
@@ -25,14 +24,5 @@ struct DiskFriction {
 
 /// Torsional limit / normal force [m] of a disk: 2/3 mu R, or 3 pi/16 mu R.
 [[nodiscard]] double disk_torsion_m(Pressure pressure, double friction, double radius_m) noexcept;
-
-/// A piece of a patch.
-struct PatchElement {
-  double pressure = 1.0;    ///< in any unit
-  double area_m2 = 0.0;     ///< in any unit
-  double distance_m = 0.0;  ///< from the centre of the turn
-};
-/// mu times the mean distance, weighted by force [m]; 0 of a patch without force.
-[[nodiscard]] double patch_torsion_m(std::span<const PatchElement> patch, double friction) noexcept;
 
 }  // namespace isograsp

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "grasp_model/scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "core/toml_reader.hpp"
+#include "grasp_model/patch/solid_surface.hpp"
 
 namespace isograsp {
 
@@ -26,6 +28,9 @@ Vec3 solid_inertia(Shape shape, const Vec3& size_m, double mass_kg) {
   const double across = mass_kg * (radius_squared / 4.0 + squares.y() / 12.0);
   return {across, across, mass_kg * radius_squared / 2.0};
 }
+
+/// Above every number of rays or rings that a pad may have.
+constexpr std::int64_t kMany = 1'000'000;
 
 void require_not_negative(TomlReader& table, std::string_view key, double value) {
   if (value < 0.0) table.fail(key, "is negative"_text, "write a number that is not negative"_text);
@@ -172,6 +177,38 @@ void read_initial(TomlReader table, Scene& scene) {
   }
 }
 
+/// A pad becomes a soft contact with the torsional limit of its patch.
+void read_pad(TomlReader& contact_table, const Scene& scene, Contact& contact) {
+  constexpr double kPerDegree = std::numbers::pi / 180.0;
+  if (contact_table.has("torsion_m"))
+    contact_table.fail("torsion_m", "follows from the patch"_text, "leave it out"_text);
+  TomlReader table = contact_table.table("patch");
+  Pad pad;
+  const auto axes_m = table.numbers("semi_axes_m", 2, 2);
+  if (axes_m.size() == 2) {
+    pad.semi_x_m = axes_m[0];
+    pad.semi_y_m = axes_m[1];
+  }
+  pad.rays = static_cast<int>(std::clamp<std::int64_t>(table.integer("rays", pad.rays), 0, kMany));
+  pad.rings =
+      static_cast<int>(std::clamp<std::int64_t>(table.integer("rings", pad.rings), 0, kMany));
+  pad.friction = contact.friction;
+  pad.sharp_edge_rad = kPerDegree * table.number("sharp_edge_deg", pad.sharp_edge_rad / kPerDegree);
+  pad.rough = table.boolean("rough", false);
+  pad.depth_m = table.number("depth_m", 0.0);
+  contact.pad = pad;
+  if (!contact.R_OC.allFinite()) return;  // told already
+  const auto patch = scan_patch(*surface_of_solid(scene.shape, scene.size_m), frame_of(contact), pad);
+  if (patch) {
+    contact.torsion_m = patch->torsion_m;
+    return;
+  }
+  const Error& error = patch.error();
+  const bool of_pad = error.field == "pad";
+  const std::string_view key = error.field == "point" ? "position_m" : "normal";
+  (of_pad ? table : contact_table).fail(of_pad ? "" : key, error.what, error.remedy);
+}
+
 void read_contact(TomlReader& table, Scene& scene) {
   Contact contact;
   contact.finger = static_cast<Finger>(table.choice("finger", {"thumb", "index", "middle"}));
@@ -190,8 +227,9 @@ void read_contact(TomlReader& table, Scene& scene) {
   contact.R_OC.col(0) = tangent.stableNormalized();
   contact.R_OC.col(1) = normal.cross(contact.R_OC.col(0));
   contact.R_OC.col(2) = normal;
-  contact.model =
-      static_cast<ContactModel>(table.choice("model", {"frictionless", "point", "soft"}));
+  constexpr std::size_t kPad = 3;
+  const std::size_t model = table.choice("model", {"frictionless", "point", "soft", "pad"});
+  contact.model = model == kPad ? ContactModel::soft : static_cast<ContactModel>(model);
   const bool needs_friction = contact.model != ContactModel::frictionless;
   contact.friction = needs_friction ? table.number("friction") : table.number("friction", 0.0);
   contact.torsion_m = table.number("torsion_m", 0.0);
@@ -199,6 +237,7 @@ void read_contact(TomlReader& table, Scene& scene) {
   require_not_negative(table, "friction", contact.friction);
   require_not_negative(table, "torsion_m", contact.torsion_m);
   require_not_negative(table, "threshold_N", contact.threshold_N);
+  if (model == kPad) read_pad(table, scene, contact);
   scene.contacts.push_back(contact);
 }
 
@@ -216,17 +255,32 @@ std::array<bool, kFingerCount> Scene::fingers_used() const noexcept {
   return used;
 }
 
+std::unique_ptr<PatchSurface> surface_of_solid(Shape shape, const Vec3& size_m) {
+  if (shape == Shape::box) return std::make_unique<BoxSurface>(size_m);
+  if (shape == Shape::sphere) return std::make_unique<SphereSurface>(size_m.x());
+  return std::make_unique<CylinderSurface>(size_m.x(), size_m.y());
+}
+
+PatchFrame frame_of(const Contact& contact) {
+  return {contact.p_OC, contact.R_OC.col(2), contact.R_OC.col(0), contact.R_OC.col(1)};
+}
+
 Result<Scene> parse_scene(std::string_view text, const std::string& file) {
   auto root = TomlReader::parse(text, file, "isograsp-scene-1");
   if (!root) return root.error();
+  Scene scene = read_scene(*root, file);
+  if (const auto done = root->finish(); !done) return done.error();
+  return scene;
+}
+
+Scene read_scene(TomlReader& root, const std::string& file) {
   Scene scene;
   scene.file = file;
-  scene.name = root->text("name", "");
-  read_object(root->table("object"), scene);
-  read_dynamics(root->table("dynamics"), scene);
-  read_initial(root->table("initial", false), scene);
-  for (auto& table : root->tables("contact")) read_contact(table, scene);
-  if (const auto done = root->finish(); !done) return done.error();
+  scene.name = root.text("name", "");
+  read_object(root.table("object"), scene);
+  read_dynamics(root.table("dynamics"), scene);
+  read_initial(root.table("initial", false), scene);
+  for (auto& table : root.tables("contact")) read_contact(table, scene);
   return scene;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,9 +12,12 @@
 
 #include "core/result.hpp"
 #include "core/spatial.hpp"
+#include "grasp_model/patch/contact_patch.hpp"
 #include "hand/finger.hpp"
 
 namespace isograsp {
+
+class TomlReader;
 
 enum class Shape : std::uint8_t { box, cylinder, sphere };
 /// What a contact passes; `bonded` passes everything and pulls too (grasp maps only, no scene).
@@ -32,6 +36,7 @@ struct Contact {
   double friction = 0.0;   ///< mu
   double torsion_m = 0.0;  ///< soft: torsional limit / normal force [m]
   double threshold_N = 0.0;
+  std::optional<Pad> pad;  ///< soft: its patch gave the torsional limit
 };
 
 struct TravelLimit {
@@ -68,8 +73,15 @@ struct Scene {
   [[nodiscard]] std::array<bool, kFingerCount> fingers_used() const noexcept;
 };
 
+/// Of a homogeneous solid. `size_m`: as that of a scene.
+[[nodiscard]] std::unique_ptr<PatchSurface> surface_of_solid(Shape shape, const Vec3& size_m);
+[[nodiscard]] PatchFrame frame_of(const Contact& contact);
+
 /// Reads and checks a scene. `file` is used in errors only.
 [[nodiscard]] Result<Scene> parse_scene(std::string_view text, const std::string& file);
+
+/// The same of a file that has more than a scene; what is wrong is remembered by the reader.
+[[nodiscard]] Scene read_scene(TomlReader& root, const std::string& file);
 
 /// Scenes are written for the right hand. The left hand's device is turned by pi about its y axis:
 /// every contact's position, normal and tangent go (x, y, z) -> (-x, y, -z).

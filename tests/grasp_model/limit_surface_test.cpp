@@ -135,19 +135,19 @@ TEST(PatchTorsion, OfAFineDiskIsThatOfTheDisk) {
   // the Hertz pressure leaves 1 / rings^1.5.
   constexpr double kQuadrature = 2e-5;
   for (const auto pressure : kPressures) {
-    std::vector<PatchElement> patch;
+    std::vector<PressedPoint> points;
+    double pressed = 0.0;
     for (int i = 0; i < kRings; ++i) {
       const double r = (i + 0.5) / kRings;
-      patch.push_back(
-          {pressure == Pressure::uniform ? 3.0 : std::sqrt(1.0 - r * r), r, r * kRadius_m});
+      points.push_back({{r * kRadius_m, 0.0},
+                        r * (pressure == Pressure::uniform ? 3.0 : std::sqrt(1.0 - r * r))});
+      pressed += points.back().share;
     }
     const double disk = disk_torsion_m(pressure, kFriction, kRadius_m);
-    EXPECT_WITHIN(patch_torsion_m(patch, kFriction), disk, kQuadrature * disk);
+    EXPECT_WITHIN(kFriction * mean_distance(points, Vec2::Zero()) / pressed, disk,
+                  kQuadrature * disk);
   }
   EXPECT_WITHIN(disk_torsion_m(Pressure::uniform, kFriction, kRadius_m), 0.004, 1e-18);
-  EXPECT_EQ(patch_torsion_m({}, kFriction), 0.0);
-  const std::array<PatchElement, 1> bare{{{0.0, 1.0, 1.0}}};
-  EXPECT_EQ(patch_torsion_m(bare, kFriction), 0.0);
 }
 
 }  // namespace

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Friction of one block with the others held still: the force of greatest dissipation in an
+// ellipsoid, by its secular equation. N rows.
+#pragma once
+
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+
+namespace isograsp::bimanual {
+
+/// The slip is u = slip_free - W f. The f within the ellipsoid of half axes `limits` that lets
+/// nothing slip or, if there is none, the one on it whose outward normal is the slip that is left.
+/// A limit of 0 bears nothing. @pre W is symmetric, not negative
+template <int N>
+[[nodiscard]] Eigen::Matrix<double, N, 1> friction_in_ellipsoid(
+    const Eigen::Matrix<double, N, N>& W, const Eigen::Matrix<double, N, 1>& slip_free,
+    const Eigen::Matrix<double, N, 1>& limits) {
+  using Vector = Eigen::Matrix<double, N, 1>;
+  // f = D y: the ellipsoid is the unit ball of y, and D u its outward normal.
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, N, N>> eigen(
+      limits.asDiagonal() * W * limits.asDiagonal());
+  const Vector b = eigen.eigenvectors().transpose() * limits.cwiseProduct(slip_free);
+  const Vector beta = eigen.eigenvalues().cwiseMax(0.0);
+  const auto at = [&](double s) {
+    Vector y;
+    for (int i = 0; i < N; ++i) y[i] = b[i] == 0.0 ? 0.0 : b[i] / (beta[i] + s);
+    return y;
+  };
+  const auto answer = [&](const Vector& y) -> Vector {
+    return limits.cwiseProduct(eigen.eigenvectors() * y);
+  };
+  // A direction without stiffness is one without a limit: nothing is asked of it.
+  const double least = 1e-14 * beta.maxCoeff();
+  Vector stick = at(0.0);
+  for (int i = 0; i < N; ++i)
+    if (!(beta[i] > least)) stick[i] = 0.0;
+  if (!(stick.norm() > 1.0)) return answer(stick);
+  // 1/|y(s)| is concave and grows: Newton from a place left of the root comes from there.
+  double s = 0.0;
+  constexpr int kMostSteps = 100;
+  constexpr double kOnSurface = 1e-14;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const Vector y = step == 0 ? stick : at(s);
+    const double norm = y.norm();
+    if (std::abs(norm - 1.0) <= kOnSurface) break;
+    double slope = 0.0;  // of |y|² / 2, negative
+    for (int i = 0; i < N; ++i)
+      if (beta[i] + s > least) slope -= y[i] * y[i] / (beta[i] + s);
+    if (slope == 0.0) break;
+    const double next = s - norm * norm * (norm - 1.0) / slope;
+    if (!(std::abs(next - s) > 1e-16 * next)) break;
+    s = next > 0.0 ? next : 0.0;
+  }
+  const Vector y = at(s);
+  return answer(y / std::max(1.0, y.norm()));
+}
+
+}  // namespace isograsp::bimanual

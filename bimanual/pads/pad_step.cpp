@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bimanual/pads/pad_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/LU>
+
+#include "bimanual/pads/friction_block.hpp"
+
+namespace isograsp::bimanual {
+
+namespace {
+
+constexpr int kMostSweeps = 20000;
+/// Of the largest velocity: what a sweep may still change.
+constexpr double kSettled = 1e-13;
+/// Of the weights of aggregate_exact, which sum up to 1.
+constexpr double kWeightsSettled = 1e-11;
+constexpr int kMostRounds = 500;
+
+
+using Vec2 = Eigen::Vector2d;
+
+/// How a direction at a point moves with a body.
+Vec6 row_of(const Vec3& direction, const Vec3& arm) {
+  Vec6 row;
+  row << direction, arm.cross(direction);
+  return row;
+}
+
+/// Two directions across a normal.
+struct Tangents {
+  explicit Tangents(const Vec3& normal) {
+    const Vec3 aside = std::abs(normal.x()) < 0.5 ? Vec3::UnitX() : Vec3::UnitY();
+    first = normal.cross(aside).normalized();
+    second = normal.cross(first);
+  }
+  Vec3 first, second;
+};
+
+/// The bodies, moved by forces between two of them at a time.
+class Bodies {
+ public:
+  explicit Bodies(const PadStep& step) : step_s(step.step_s), velocity(step.velocity_free) {
+    for (const Mat6& inertia : step.inertia) inverse.push_back(inertia.inverse());
+  }
+  double step_s;
+  std::vector<Vec6> velocity;
+  std::vector<Mat6> inverse;
+};
+
+/// Rows between an object and a pad: the velocity of the pad along them less that of the object.
+/// A force along them acts on the object, and against it on the pad.
+template <int N>
+struct Rows {
+  using Columns = Eigen::Matrix<double, 6, N>;
+  using Vector = Eigen::Matrix<double, N, 1>;
+  Columns object, pad;            ///< a row each
+  Columns by_object, by_pad;      ///< velocity for a unit of impulse
+  Eigen::Matrix<double, N, N> W;  ///< slip for a unit of force, over one step
+
+  void prepare(const Bodies& bodies, const PadFace& face) {
+    by_object = bodies.inverse[face.object] * object;
+    by_pad = bodies.inverse[face.pad] * pad;
+    W = bodies.step_s * (object.transpose() * by_object + pad.transpose() * by_pad);
+    W = 0.5 * (W + W.transpose()).eval();
+  }
+  [[nodiscard]] Vector slip(const Bodies& bodies, const PadFace& face) const {
+    return pad.transpose() * bodies.velocity[face.pad] -
+           object.transpose() * bodies.velocity[face.object];
+  }
+  void push(Bodies& bodies, const PadFace& face, const Vector& force) const {
+    bodies.velocity[face.object] += bodies.step_s * (by_object * force);
+    bodies.velocity[face.pad] -= bodies.step_s * (by_pad * force);
+  }
+};
+
+/// Largest change of a velocity in a sweep.
+class Change {
+ public:
+  explicit Change(const Bodies& bodies) : before_(bodies.velocity) {}
+  [[nodiscard]] bool settled(const Bodies& bodies) const {
+    double change = 0.0, size = 0.0;
+    for (std::size_t b = 0; b < before_.size(); ++b) {
+      change = std::max(change, (bodies.velocity[b] - before_[b]).cwiseAbs().maxCoeff());
+      size = std::max(size, bodies.velocity[b].cwiseAbs().maxCoeff());
+    }
+    return change <= kSettled * size;
+  }
+
+ private:
+  std::vector<Vec6> before_;
+};
+
+/// Sweeps until nothing changes any more.
+template <class Sweep>
+void sweep_until_settled(Bodies& bodies, PadSolution& solution, Sweep&& sweep) {
+  solution.settled = false;
+  for (int k = 0; k < kMostSweeps && !solution.settled; ++k) {
+    const Change change(bodies);
+    sweep();
+    ++solution.sweeps;
+    solution.settled = change.settled(bodies);
+  }
+}
+
+// Every point.
+
+struct PointBlock {
+  Rows<1> normal;
+  Rows<2> across;
+  double stiffness_N_m = 0.0;  ///< of its piece of the bed
+  double free_m = 0.0;         ///< penetration if nothing moved but as it does without contact
+  double normal_N = 0.0;
+  Vec2 friction_N = Vec2::Zero();
+};
+
+PadSolution solve_points(const PadStep& step) {
+  Bodies bodies(step);
+  PadSolution solution;
+  std::vector<std::vector<PointBlock>> blocks;
+  for (const PadFace& face : step.faces) {
+    auto& of_face = blocks.emplace_back();
+    for (const PadPoint& point : face.points) {
+      PointBlock block;
+      const Tangents t(point.normal);
+      block.normal.object = row_of(point.normal, point.p_object);
+      block.normal.pad = row_of(point.normal, point.p_pad);
+      block.across.object << row_of(t.first, point.p_object), row_of(t.second, point.p_object);
+      block.across.pad << row_of(t.first, point.p_pad), row_of(t.second, point.p_pad);
+      block.normal.prepare(bodies, face);
+      block.across.prepare(bodies, face);
+      block.stiffness_N_m = face.stiffness_N_m3 * point.area_m2;
+      block.free_m =
+          point.penetration_free_m - step.step_s * block.normal.slip(bodies, face).value();
+      of_face.push_back(block);
+    }
+    solution.constraints += 3 * face.points.size();
+  }
+  sweep_until_settled(bodies, solution, [&] {
+    for (std::size_t f = 0; f < step.faces.size(); ++f) {
+      const PadFace& face = step.faces[f];
+      for (PointBlock& block : blocks[f]) {
+        const double depth_m =
+            block.free_m + step.step_s * block.normal.slip(bodies, face).value();
+        const double k = block.stiffness_N_m;
+        const double normal_N =
+            std::max(0.0, block.normal_N + (k * depth_m - block.normal_N) /
+                                               (1.0 + k * step.step_s * block.normal.W.value()));
+        block.normal.push(bodies, face, Eigen::Matrix<double, 1, 1>(normal_N - block.normal_N));
+        block.normal_N = normal_N;
+        const Vec2 slip_free =
+            block.across.slip(bodies, face) + block.across.W * block.friction_N;
+        const Vec2 friction_N = friction_in_ellipsoid<2>(
+            block.across.W, slip_free, Vec2::Constant(face.friction * normal_N));
+        block.across.push(bodies, face, friction_N - block.friction_N);
+        block.friction_N = friction_N;
+      }
+    }
+  });
+  for (std::size_t f = 0; f < step.faces.size(); ++f) {
+    Vec6 wrench = Vec6::Zero();
+    for (const PointBlock& block : blocks[f])
+      wrench += block.normal.object * block.normal_N + block.across.object * block.friction_N;
+    solution.wrench_on_object.push_back(wrench);
+  }
+  solution.velocity = bodies.velocity;
+  return solution;
+}
+
+// One block for each face.
+
+struct FaceBlock {
+  std::vector<double> share;  ///< of the pressure, by point
+  Vec3 normal;                ///< mean
+  Rows<1> pressure;           ///< along the normals, as the points share it
+  Rows<1> volume;             ///< m³ of penetration for each m, over the points that touch
+  double volume_free_m3 = 0.0;
+  Rows<3> friction;        ///< two directions at the centroid of pressure, turning about the normal
+  std::vector<Vec2> arms;  ///< of the points, from the centroid, in these directions
+  double torsion_m = 0.0;  ///< mean distance from it
+  double normal_N = 0.0;
+  Vec3 friction_N = Vec3::Zero();     ///< force, force, torque
+  std::vector<Vec2> point_friction_N;  ///< of aggregate_exact: what each point gives
+};
+
+/// The points of a face by where they are with the velocities `v`.
+void aggregate(const PadStep& step, const Bodies& bodies, const std::vector<Vec6>& v,
+               const PadFace& face, FaceBlock& block) {
+  const std::size_t count = face.points.size();
+  block.share.assign(count, 0.0);
+  block.arms.assign(count, Vec2::Zero());
+  block.point_friction_N.resize(count, Vec2::Zero());
+  block.normal.setZero();
+  block.volume.object.setZero();
+  block.volume.pad.setZero();
+  block.pressure.object.setZero();
+  block.pressure.pad.setZero();
+  block.volume_free_m3 = 0.0;
+  double volume_m3 = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const PadPoint& point = face.points[i];
+    const Vec6 object = row_of(point.normal, point.p_object);
+    const Vec6 pad = row_of(point.normal, point.p_pad);
+    const auto slip = [&](const std::vector<Vec6>& u) {
+      return pad.dot(u[face.pad]) - object.dot(u[face.object]);
+    };
+    const double at_rest_m = point.penetration_free_m - step.step_s * slip(step.velocity_free);
+    const double depth_m = at_rest_m + step.step_s * slip(v);
+    if (!(depth_m > 0.0)) continue;
+    block.share[i] = point.area_m2 * depth_m;
+    volume_m3 += block.share[i];
+    block.volume.object += point.area_m2 * object;
+    block.volume.pad += point.area_m2 * pad;
+    block.volume_free_m3 += point.area_m2 * at_rest_m;
+  }
+  if (!(volume_m3 > 0.0)) return;
+  Vec3 p_object = Vec3::Zero(), p_pad = Vec3::Zero();
+  for (std::size_t i = 0; i < count; ++i) {
+    const PadPoint& point = face.points[i];
+    block.share[i] /= volume_m3;
+    block.normal += block.share[i] * point.normal;
+    p_object += block.share[i] * point.p_object;
+    p_pad += block.share[i] * point.p_pad;
+    block.pressure.object += block.share[i] * row_of(point.normal, point.p_object);
+    block.pressure.pad += block.share[i] * row_of(point.normal, point.p_pad);
+  }
+  block.normal.normalize();
+  const Tangents t(block.normal);
+  block.torsion_m = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3 arm = face.points[i].p_object - p_object;
+    block.arms[i] = {arm.dot(t.first), arm.dot(t.second)};
+    block.torsion_m += block.share[i] * block.arms[i].norm();
+  }
+  Vec6 turn;
+  turn << Vec3::Zero(), block.normal;
+  block.friction.object << row_of(t.first, p_object), row_of(t.second, p_object), turn;
+  block.friction.pad << row_of(t.first, p_pad), row_of(t.second, p_pad), turn;
+  block.pressure.prepare(bodies, face);
+  block.friction.prepare(bodies, face);
+}
+
+/// Slip at a point from that of its face.
+Eigen::Matrix<double, 2, 3> at_point(const Vec2& arm) {
+  Eigen::Matrix<double, 2, 3> P;
+  P << 1.0, 0.0, -arm.y(), 0.0, 1.0, arm.x();
+  return P;
+}
+
+/// Friction of all points of a face while nothing else moves: each in its own disk.
+Vec3 friction_of_points(const Eigen::Matrix3d& W, const Vec3& slip_free, FaceBlock& block,
+                        double limit_N) {
+  constexpr int kMostInner = 200;
+  constexpr double kInnerSettled = 1e-13;
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < block.arms.size(); ++i) {
+    if (block.share[i] == 0.0) block.point_friction_N[i].setZero();
+    sum += at_point(block.arms[i]).transpose() * block.point_friction_N[i];
+  }
+  for (int k = 0; k < kMostInner; ++k) {
+    double change_N = 0.0;
+    for (std::size_t i = 0; i < block.arms.size(); ++i) {
+      if (block.share[i] == 0.0) continue;
+      const auto P = at_point(block.arms[i]);
+      const Eigen::Matrix2d at = P * W * P.transpose();
+      Vec2& force = block.point_friction_N[i];
+      const Vec2 free = P * (slip_free - W * sum) + at * force;
+      const Vec2 next =
+          friction_in_ellipsoid<2>(at, free, Vec2::Constant(limit_N * block.share[i]));
+      change_N = std::max(change_N, (next - force).norm());
+      sum += P.transpose() * (next - force);
+      force = next;
+    }
+    if (change_N <= kInnerSettled * limit_N) break;
+  }
+  return sum;
+}
+
+void sweep_faces(const PadStep& step, Bodies& bodies, std::vector<FaceBlock>& blocks, bool exact) {
+  for (std::size_t f = 0; f < step.faces.size(); ++f) {
+    const PadFace& face = step.faces[f];
+    FaceBlock& block = blocks[f];
+    if (!(block.torsion_m >= 0.0) || block.normal.isZero()) continue;
+    const double volume_m3 =
+        block.volume_free_m3 + step.step_s * block.volume.slip(bodies, face).value();
+    const double give = step.step_s * (block.volume.object.dot(block.pressure.by_object) +
+                                       block.volume.pad.dot(block.pressure.by_pad));
+    const double k = face.stiffness_N_m3;
+    const double normal_N =
+        std::max(0.0, block.normal_N + (k * volume_m3 - block.normal_N) /
+                                           (1.0 + k * step.step_s * give));
+    block.pressure.push(bodies, face, Eigen::Matrix<double, 1, 1>(normal_N - block.normal_N));
+    block.normal_N = normal_N;
+    const Vec3 slip_free =
+        block.friction.slip(bodies, face) + block.friction.W * block.friction_N;
+    const double limit_N = face.friction * normal_N;
+    const Vec3 friction =
+        exact ? friction_of_points(block.friction.W, slip_free, block, limit_N)
+              : friction_in_ellipsoid<3>(block.friction.W, slip_free,
+                                         Vec3(limit_N, limit_N, limit_N * block.torsion_m));
+    block.friction.push(bodies, face, friction - block.friction_N);
+    block.friction_N = friction;
+  }
+}
+
+PadSolution solve_faces(const PadStep& step, bool exact) {
+  Bodies bodies(step);
+  PadSolution solution;
+  solution.constraints = 4 * step.faces.size();
+  std::vector<FaceBlock> blocks(step.faces.size());
+  for (std::size_t f = 0; f < step.faces.size(); ++f)
+    aggregate(step, bodies, step.velocity_free, step.faces[f], blocks[f]);
+  for (int round = 0; round < kMostRounds; ++round) {
+    sweep_until_settled(bodies, solution, [&] { sweep_faces(step, bodies, blocks, exact); });
+    if (!exact) break;
+    double change = 0.0;
+    const std::vector<Vec6> reached = bodies.velocity;
+    for (std::size_t f = 0; f < step.faces.size(); ++f) {
+      const PadFace& face = step.faces[f];
+      FaceBlock& block = blocks[f];
+      const std::vector<double> before = block.share;
+      // Forces go on from where they are, by rows that stand where the pressure is now.
+      block.pressure.push(bodies, face, Eigen::Matrix<double, 1, 1>(-block.normal_N));
+      block.friction.push(bodies, face, -block.friction_N);
+      aggregate(step, bodies, reached, face, block);
+      block.pressure.push(bodies, face, Eigen::Matrix<double, 1, 1>(block.normal_N));
+      block.friction.push(bodies, face, block.friction_N);
+      for (std::size_t i = 0; i < before.size(); ++i)
+        change = std::max(change, std::abs(block.share[i] - before[i]));
+    }
+    if (change <= kWeightsSettled) break;
+  }
+  for (const FaceBlock& block : blocks)
+    solution.wrench_on_object.push_back(block.pressure.object * block.normal_N +
+                                        block.friction.object * block.friction_N);
+  solution.velocity = bodies.velocity;
+  return solution;
+}
+
+}  // namespace
+
+PadSolution solve(const PadStep& step, PadSolver solver) {
+  switch (solver) {
+    case PadSolver::pointwise: return solve_points(step);
+    case PadSolver::aggregate: return solve_faces(step, false);
+    case PadSolver::aggregate_exact: break;
+  }
+  return solve_faces(step, true);
+}
+
+double wrench_error(const PadSolution& solution, const PadSolution& exact) {
+  double largest_N = 0.0;
+  for (const Vec6& wrench : exact.wrench_on_object)
+    largest_N = std::max(largest_N, wrench.head<3>().norm());
+  if (largest_N == 0.0) return 0.0;
+  double error = 0.0;
+  for (std::size_t f = 0; f < exact.wrench_on_object.size(); ++f) {
+    const Vec6 off = solution.wrench_on_object[f] - exact.wrench_on_object[f];
+    error = std::max({error, off.head<3>().cwiseAbs().maxCoeff() / largest_N,
+                      off.tail<3>().cwiseAbs().maxCoeff() / (largest_N * kArm_m)});
+  }
+  return error;
+}
+
+}  // namespace isograsp::bimanual

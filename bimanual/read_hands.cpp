@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bimanual/read_hands.hpp"
+
+#include <cmath>
+
+#include "core/toml_reader.hpp"
+
+namespace isograsp::bimanual {
+
+namespace {
+
+double read_positive(TomlReader& table, std::string_view key, std::optional<double> fallback) {
+  const double value = table.number(key, fallback);
+  if (!(value > 0.0)) table.fail(key, "is not above zero"_text, "write a larger number"_text);
+  return value;
+}
+Vec3 read_positive_vec3(TomlReader& table, std::string_view key, std::optional<Vec3> fallback) {
+  const Vec3 value = table.vec3(key, fallback);
+  if (!(value.minCoeff() > 0.0))
+    table.fail(key, "is not above zero"_text, "write larger numbers"_text);
+  return value;
+}
+
+HandsSpec read_hands(TomlReader& table) {
+  HandsSpec spec;
+  spec.explore = static_cast<Explore>(
+      table.choice("explore", {"bubble", "clutch", "fixed", "prescribed"}, 0));
+  spec.joint_control = table.boolean("joint_control", false);
+  spec.left_share = table.number("left_share", spec.left_share);
+  if (!(spec.left_share >= 0.0 && spec.left_share <= 1.0))
+    table.fail("left_share", "is no share"_text, "write a number from 0 to 1"_text);
+  spec.half_size_m = read_positive_vec3(table, "half_size_m", spec.half_size_m);
+  spec.shape =
+      static_cast<BubbleShape>(table.choice("shape", {"ellipsoid", "box", "superellipsoid"}, 0));
+  spec.exponent = read_positive(table, "exponent", spec.exponent);
+  spec.rate_m_s = read_positive(table, "rate_m_s", spec.rate_m_s);
+  spec.rate_exponent = read_positive(table, "rate_exponent", spec.rate_exponent);
+  spec.rate_limit_m_s = read_positive(table, "rate_limit_m_s", spec.rate_limit_m_s);
+  spec.separation_m = read_positive(table, "separation_m", spec.separation_m);
+  spec.least_bubble_distance_m =
+      read_positive(table, "least_bubble_distance_m", spec.least_bubble_distance_m);
+  constexpr double kPerDegree = std::numbers::pi / 180.0;
+  constexpr double kWidest_deg = 120.0;
+  const double fov_deg = read_positive(table, "view_fov_deg", spec.view_fov_rad / kPerDegree);
+  if (fov_deg > kWidest_deg)
+    table.fail("view_fov_deg", "is no angle of a view"_text, "write at most 120"_text);
+  spec.view_fov_rad = kPerDegree * fov_deg;
+  spec.view_margin = read_positive(table, "view_margin", spec.view_margin);
+  if (spec.explore == Explore::prescribed) return spec;
+  for (const auto& [key, side] : {std::pair{"left", Side::left}, std::pair{"right", Side::right}}) {
+    TomlReader hand = table.table(key);
+    HandSpec& of = spec.hands[index_of(side)];
+    of.center_m = hand.vec3("center_m");
+    of.force_at_edge_N = read_positive_vec3(hand, "force_at_edge_N", std::nullopt);
+  }
+  const Vec3 across = spec.hands[1].center_m - spec.hands[0].center_m;
+  if (std::hypot(across.x(), across.z()) < spec.least_bubble_distance_m)
+    table.fail("left", "begins nearer to the right hand than least_bubble_distance_m"_text,
+               "move the hands apart"_text);
+  return spec;
+}
+
+GraspDetection read_detection(TomlReader& table) {
+  GraspDetection rule;
+  rule.force_on_N = read_positive(table, "force_on_N", std::nullopt);
+  rule.reach_m = read_positive(table, "reach_m", std::nullopt);
+  rule.least_chord_m = read_positive(table, "least_chord_m", std::nullopt);
+  return rule;
+}
+
+Magnet read_magnet(TomlReader& table) {
+  Magnet magnet;
+  magnet.mode = static_cast<Magnet::Mode>(table.choice("mode", {"off", "spring", "constraint"}));
+  if (magnet.mode != Magnet::Mode::spring) return magnet;
+  magnet.stiffness_N_m = read_positive(table, "stiffness_N_m", std::nullopt);
+  magnet.damping_N_s_m = table.number("damping_N_s_m", 0.0);
+  if (!(magnet.damping_N_s_m >= 0.0))
+    table.fail("damping_N_s_m", "is negative"_text, "write a number that is not negative"_text);
+  return magnet;
+}
+
+}  // namespace
+
+bool has_hands(std::string_view text) noexcept {
+  return text.find("[hands]") != std::string_view::npos;
+}
+
+Result<HandsScene> parse_hands_scene(std::string_view text, const std::string& file) {
+  auto root = TomlReader::parse(text, file, "isograsp-scene-1");
+  if (!root) return root.error();
+  HandsScene scene;
+  scene.object = read_scene(*root, file);
+  TomlReader hands = root->table("hands");
+  scene.coupling = static_cast<Coupling>(hands.choice("coupling", {"none", "force", "proxy"}));
+  scene.hands = read_hands(hands);
+  if (root->has("grasp_detection")) {
+    TomlReader table = root->table("grasp_detection");
+    scene.grasp = read_detection(table);
+  }
+  if (root->has("magnet")) {
+    TomlReader table = root->table("magnet");
+    scene.magnet = read_magnet(table);
+    if (scene.magnet.mode != Magnet::Mode::off && !scene.grasp)
+      root->fail("magnet", "needs [grasp_detection]"_text, "add it, or write mode = \"off\""_text);
+    if (scene.magnet.mode == Magnet::Mode::spring && scene.object.mass_kg == 0.0)
+      root->fail("magnet", "needs an object with mass"_text, "give it one"_text);
+  }
+  if (const auto done = root->finish(); !done) return done.error();
+  return scene;
+}
+
+}  // namespace isograsp::bimanual

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Scenes with two hands: that of the object (grasp_model/scene.hpp) with [hands],
+// [grasp_detection] and [magnet] (docs/file_formats.md).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "bimanual/hands_spec.hpp"
+#include "core/result.hpp"
+#include "grasp_model/scene.hpp"
+
+namespace isograsp::bimanual {
+
+/// What the hands are to the object.
+enum class Coupling : std::uint8_t {
+  none,   ///< nothing: two numbers
+  force,  ///< contacts with measured force
+  proxy   ///< points moved by force
+};
+
+struct HandsScene {
+  Scene object;
+  Coupling coupling = Coupling::none;
+  HandsSpec hands;
+  std::optional<GraspDetection> grasp;  ///< nothing: they never hold it
+  Magnet magnet;
+};
+
+/// The text is of a scene with two hands.
+[[nodiscard]] bool has_hands(std::string_view text) noexcept;
+[[nodiscard]] Result<HandsScene> parse_hands_scene(std::string_view text, const std::string& file);
+
+}  // namespace isograsp::bimanual

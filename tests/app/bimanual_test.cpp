@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Commands about two hands, pads and patches, as a user types them.
+#include <cmath>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/files.hpp"
+#include "tests/support/command.hpp"
+#include "tests/support/every.hpp"
+#include "tests/support/golden_table.hpp"
+#include "tests/support/must.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/support/within.hpp"
+
+namespace isograsp::app::bimanual_test {
+namespace {
+
+using Json = nlohmann::json;
+using test::isograsp;
+using test::number_in;
+using test::TemporaryFolder;
+const std::string kData = ISOGRASP_SOURCE_DIR "/tests/data/bimanual/";
+
+TEST(TwoHandsCommands, ASceneOfBubblesMovesAsTheReference) {
+  const TemporaryFolder folder;
+  for (const std::string name : {"revolving_door", "weak_carry_joint", "tilt_spring"}) {
+    const std::string file = kData + "bubble/" + name;
+    const auto done = isograsp("simulate --scene " + file + ".toml --forces " + file +
+                               "_forces.csv --out " + folder.path("o.csv"));
+    ASSERT_EQ(done.status, 0) << done.err;
+    const auto golden = test::golden_table(file + "_reference.csv");
+    const auto found = test::golden_table(folder.path("o.csv"));
+    ASSERT_EQ(found.size(), golden.size());
+    // Springs are integrated, the rest is arithmetic; velocities are differences over 10 ms.
+    const double place = name == "tilt_spring" ? 1e-6 : 1e-10;
+    for (std::size_t row = 0; row < golden.size(); ++row)
+      for (const auto& [column, text] : test::every(golden[row])) {
+        if (column == "angle_z_rad") continue;  // of the attitude, which has its own columns
+        const double tolerance = column.ends_with("mps") ? 100.0 * place : place;
+        ASSERT_WITHIN(number_in(found[row], column), number_in(golden[row], column), tolerance)
+            << name << " " << column << " row " << row;
+      }
+  }
+}
+
+TEST(TwoHandsCommands, ForcesThatAreNoPushesAreRefusedByColumnAndNothingIsWritten) {
+  const TemporaryFolder folder;
+  const std::string forces = folder.write("f.csv", "t_s,left_push_x_N\n0,1\n0.01,1\n");
+  const auto refused = isograsp("simulate --scene " + kData + "bubble/tilt_spring.toml --forces " +
+                                forces + " --out " + folder.path("o.csv"));
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("left_push_y_N"), std::string::npos) << refused.err;
+  EXPECT_FALSE(std::filesystem::exists(folder.path("o.csv")));
+}
+
+TEST(PatchCommand, SaysAreaTorsionAndWhyEachRayStopped) {
+  const std::string near_edge =
+      "--point -0.0325 0.028 0 --normal 1 0 0 --tangent 0 1 0 --pad 0.0075 0.0055 "
+      "--friction 0.8 --json";
+  const auto solid = isograsp("patch --shape box --size 0.065 0.06 0.08 " + near_edge);
+  ASSERT_EQ(solid.status, 0) << solid.err;
+  const Json of_solid = Json::parse(solid.out);
+  EXPECT_EQ(of_solid["stopped"]["edge"].get<int>(), 25);
+  EXPECT_EQ(of_solid["outline_m"].size(), 64U);
+  EXPECT_WITHIN(of_solid["torsion_m"].get<double>(), 0.002845212093072018, 1e-15);
+  const auto mesh = isograsp("patch --mesh " + kData + "mesh/box.obj " + near_edge);
+  ASSERT_EQ(mesh.status, 0) << mesh.err;
+  EXPECT_WITHIN(Json::parse(mesh.out)["torsion_m"].get<double>(),
+                of_solid["torsion_m"].get<double>(), 1e-15);
+  const auto off = isograsp(
+      "patch --shape sphere --size 0.06 --point 0.031 0 0 --normal -1 0 0 --tangent 0 1 0 --pad "
+      "0.0075 0.0055");
+  EXPECT_EQ(off.status, 2);
+  EXPECT_NE(off.err.find("--point"), std::string::npos) << off.err;
+}
+
+TEST(PatchCommand, AContactOfASceneMayBeAPadAndItsLimitIsThatOfThePatch) {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write(
+      "pad.toml",
+      "format = \"isograsp-scene-1\"\n[object]\nshape = \"box\"\nsize_m = [0.065, 0.06, 0.08]\n"
+      "mass_kg = 0.3\n[dynamics]\nfree = [\"x\"]\nstiffness = [1, 1, 1, 1, 1, 1]\n"
+      "damping = [1, 1, 1, 1, 1, 1]\n[[contact]]\nfinger = \"index\"\n"
+      "position_m = [-0.0325, 0.028, 0]\nnormal = [1, 0, 0]\ntangent = [0, 1, 0]\n"
+      "model = \"pad\"\nfriction = 0.8\npatch = {semi_axes_m = [0.0075, 0.0055]}\n");
+  const auto shown = isograsp("patch --scene " + scene + " --json");
+  ASSERT_EQ(shown.status, 0) << shown.err;
+  EXPECT_WITHIN(Json::parse(shown.out)["torsion_m"].get<double>(), 0.002845212093072018, 1e-15);
+  EXPECT_EQ(isograsp("patch --scene " + scene + " --finger thumb").status, 2);
+  const auto grasp = isograsp("grasp --scene " + scene);
+  EXPECT_EQ(grasp.status, 0) << grasp.err;
+}
+
+TEST(PadBenchCommand, PrintsRowsSweepsAndErrorsOfAllSolvers) {
+  const TemporaryFolder folder;
+  Json cases = Json::parse(test::must(read_text(kData + "pad_steps.json")))["cases"];
+  const std::string file = folder.write("case.json", cases[1].dump());
+  const auto done = isograsp("pad-bench --case " + file + " --json");
+  ASSERT_EQ(done.status, 0) << done.err;
+  const Json answer = Json::parse(done.out);
+  EXPECT_EQ(answer["pointwise"]["constraints"].get<int>(), 72);
+  EXPECT_EQ(answer["aggregate"]["constraints"].get<int>(), 8);
+  EXPECT_EQ(answer["pointwise"]["wrench_error"].get<double>(), 0.0);
+  EXPECT_LT(answer["aggregate_exact"]["wrench_error"].get<double>(), 1e-5);
+  for (const char* text : {"{", "[]", "{\"step_s\": 0}", "{\"step_s\": 0.001, \"pads\": 3}"}) {
+    const auto refused = isograsp("pad-bench --case " + folder.write("bad.json", text));
+    EXPECT_EQ(refused.status, 2) << text;
+    EXPECT_NE(refused.err.find("bad.json"), std::string::npos) << refused.err;
+  }
+}
+
+}  // namespace
+}  // namespace isograsp::app::bimanual_test

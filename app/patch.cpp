@@ -105,7 +105,7 @@ Result<PatchQuestion> asked_directly(const PatchOptions& options) {
   const auto frame = PatchFrame::along(*p, *normal, *tangent);
   if (!frame) return of_option(frame.error());
   question.frame = *frame;
-  question.pad = {(*axes_m)[0], (*axes_m)[1], options.rays,
+  question.pad = {(*axes_m)[0],  (*axes_m)[1],     options.rays,
                   options.rings, options.friction, kPerDegree * options.sharp_edge_deg,
                   options.rough, options.depth_m};
   return question;
@@ -230,8 +230,8 @@ Result<void> show_points(const PatchOptions& options) {
 
 void add_patch(CommandLine& line) {
   auto options = std::make_shared<PatchOptions>();
-  Subcommand command =
-      line.subcommand("patch", "What a finger pad covers of a surface, and the torsion it can hold");
+  Subcommand command = line.subcommand(
+      "patch", "What a finger pad covers of a surface, and the torsion it can hold");
   OptionGroup of = command.exactly_one("Surface");
   of.option("--scene", options->scene, "Scene with a contact of model = \"pad\"");
   of.option("--shape", options->shape, "box, cylinder or sphere, its middle at the origin")
@@ -240,13 +240,14 @@ void add_patch(CommandLine& line) {
   of.option("--points", options->points,
             "Points under pressure (CSV: x_m, y_m, area_m2, penetration_m); printed as JSON");
   command.option("--finger", options->finger, "Of the scene: thumb, index or middle");
-  command.option("--size", options->size,
-                 "Of the shape [m]: x y z, diameter length, or diameter");
+  command.option("--size", options->size, "Of the shape [m]: x y z, diameter length, or diameter");
   command.option("--point", options->point, "Contact point x y z [m]");
   command.option("--normal", options->normal, "Direction into the object x y z");
   command.option("--tangent", options->tangent, "Direction of the first axis of the pad x y z");
   command.option("--pad", options->pad, "Semi-axes of the pad a b [m]");
-  command.option("--friction", options->friction, "Friction coefficient").positive().shows_default();
+  command.option("--friction", options->friction, "Friction coefficient")
+      .positive()
+      .shows_default();
   command.option("--rays", options->rays, "Rays").range(3, 100000).shows_default();
   command.option("--rings", options->rings, "Rings").range(1, 10000).shows_default();
   command.option("--sharp-edge-deg", options->sharp_edge_deg, "A crease above it is an edge")

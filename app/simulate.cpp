@@ -22,6 +22,8 @@ namespace {
 struct SimulateOptions {
   std::string scene;
   std::string forces;
+  std::string proxies;  ///< in place of forces
+  std::string pad_solver = "aggregate";
   std::string out;
   std::string hand = "right";
 };
@@ -80,11 +82,18 @@ class TrajectoryWriter {
 };
 
 Result<void> simulate(const SimulateOptions& options) {
-  if (auto different = check_different(options.forces, options.out); !different) return different;
+  for (const std::string& in : {options.forces, options.proxies})
+    if (auto different = check_different(in, options.out); !different) return different;
   auto text = read_text(options.scene);
   if (!text) return text.error();
   if (bimanual::has_hands(*text))
-    return simulate_hands({options.scene, *text, options.forces, options.out});
+    return options.proxies.empty()
+               ? simulate_hands({options.scene, *text, options.forces, options.out})
+               : simulate_pads({options.scene, *text, options.proxies, options.out},
+                               options.pad_solver);
+  if (!options.proxies.empty())
+    return refused("has no pads that proxies could lead"_text, "give --forces"_text)
+        .at(options.scene);
   auto scene = parse_scene(*text, options.scene);
   if (!scene) return scene.error();
   // A first pass over the times alone: the length of a hold depends on all of them.
@@ -149,7 +158,13 @@ void add_simulate(CommandLine& line) {
   Subcommand command = line.subcommand("simulate", "Run the grasp model alone on recorded forces");
   const auto options = std::make_shared<SimulateOptions>();
   command.option("--scene", options->scene, "Scene (TOML)").required();
-  command.option("--forces", options->forces, "Finger forces (CSV)").required();
+  OptionGroup motion = command.exactly_one("What moves");
+  motion.option("--forces", options->forces, "Forces of fingers, or pushes of two hands (CSV)");
+  motion.option("--proxies", options->proxies,
+                "Of a scene with pads: where what leads them is (CSV)");
+  command.option("--pad-solver", options->pad_solver, "Of a scene with pads")
+      .one_of({"pointwise", "aggregate", "aggregate_exact"})
+      .shows_default();
   command.option("--out", options->out, "Trajectory to write (CSV)").required();
   command.option("--hand", options->hand, "Which hand presses")
       .one_of({"right", "left"})

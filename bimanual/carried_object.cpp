@@ -55,8 +55,7 @@ class Hanging {
     const Vec3 momentum = scene_.inertia_kg_m2.cwiseProduct(w_O);
     Vec3 dw_O = Vec3::Zero();
     for (Eigen::Index i = 0; i < 3; ++i)
-      if (turns_[i] > 0.0)
-        dw_O[i] = (torque_O - w_O.cross(momentum))[i] / scene_.inertia_kg_m2[i];
+      if (turns_[i] > 0.0) dw_O[i] = (torque_O - w_O.cross(momentum))[i] / scene_.inertia_kg_m2[i];
     dy.tail<3>() = R * dw_O;
     return dy;
   }
@@ -106,8 +105,8 @@ Quat CarriedObject::turn_of(const Vec3& line_W) const noexcept {
   const bool x = free[3], y = free[4], z = free[5];
   if (x && y && z) return Quat::FromTwoVectors(taken_line_W_, line_W);
   if (!z || x || y) return Quat::Identity();
-  const double angle_rad = std::atan2(line_W.y(), line_W.x()) -
-                           std::atan2(taken_line_W_.y(), taken_line_W_.x());
+  const double angle_rad =
+      std::atan2(line_W.y(), line_W.x()) - std::atan2(taken_line_W_.y(), taken_line_W_.x());
   return Quat(Eigen::AngleAxisd(angle_rad, Vec3::UnitZ()));
 }
 

@@ -20,8 +20,8 @@ bool GraspOfHands::see(const std::array<Vec3, kSides>& p_W,
   squeeze_N_ = {push_W_N[0].dot(line) / apart_m, -push_W_N[1].dot(line) / apart_m};
   const double least_N = std::min(squeeze_N_[0], squeeze_N_[1]);
   if (holds_)
-    return holds_ = least_N > kLetGo * rule_.force_on_N &&
-                    apart_m - chord_m_ <= kOpened * rule_.reach_m;
+    return holds_ =
+               least_N > kLetGo * rule_.force_on_N && apart_m - chord_m_ <= kOpened * rule_.reach_m;
   if (!(least_N > rule_.force_on_N)) return false;
   const std::array<Vec3, kSides> p_O{X_WO.q.conjugate() * (p_W[0] - X_WO.p),
                                      X_WO.q.conjugate() * (p_W[1] - X_WO.p)};

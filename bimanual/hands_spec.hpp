@@ -29,8 +29,8 @@ enum class Explore : std::uint8_t {
 };
 
 struct HandSpec {
-  Vec3 center_m = Vec3::Zero();           ///< of the bubble, at first
-  Vec3 force_at_edge_N = Vec3::Ones();    ///< each axis of the view
+  Vec3 center_m = Vec3::Zero();         ///< of the bubble, at first
+  Vec3 force_at_edge_N = Vec3::Ones();  ///< each axis of the view
 };
 
 struct HandsSpec {
@@ -41,10 +41,10 @@ struct HandsSpec {
   double rate_m_s = 0.1;  ///< for an excess of 1
   double rate_exponent = 1.0;
   double rate_limit_m_s = 0.25;
-  double separation_m = 0.02;               ///< that the hands keep, along the line of the bubbles
-  double least_bubble_distance_m = 0.08;    ///< horizontal
-  bool joint_control = false;               ///< bubbles move as one while the object is held
-  double left_share = 0.5;                  ///< of the left hand in that
+  double separation_m = 0.02;             ///< that the hands keep, along the line of the bubbles
+  double least_bubble_distance_m = 0.08;  ///< horizontal
+  bool joint_control = false;             ///< bubbles move as one while the object is held
+  double left_share = 0.5;                ///< of the left hand in that
   double view_fov_rad = 40.0 * std::numbers::pi / 180.0;
   double view_margin = 1.1;
   std::array<HandSpec, kSides> hands;

@@ -2,6 +2,7 @@
 #include "bimanual/read_hands.hpp"
 
 #include <cmath>
+#include <tuple>
 
 #include "core/toml_reader.hpp"
 
@@ -23,8 +24,8 @@ Vec3 read_positive_vec3(TomlReader& table, std::string_view key, std::optional<V
 
 HandsSpec read_hands(TomlReader& table) {
   HandsSpec spec;
-  spec.explore = static_cast<Explore>(
-      table.choice("explore", {"bubble", "clutch", "fixed", "prescribed"}, 0));
+  spec.explore =
+      static_cast<Explore>(table.choice("explore", {"bubble", "clutch", "fixed", "prescribed"}, 0));
   spec.joint_control = table.boolean("joint_control", false);
   spec.left_share = table.number("left_share", spec.left_share);
   if (!(spec.left_share >= 0.0 && spec.left_share <= 1.0))
@@ -79,6 +80,55 @@ Magnet read_magnet(TomlReader& table) {
   return magnet;
 }
 
+Vec6 read_six(TomlReader& table, std::string_view key) {
+  Vec6 values = Vec6::Ones();
+  const auto read = table.numbers(key, 6, 6);
+  for (std::size_t i = 0; i < 6 && i < read.size(); ++i)
+    values[static_cast<Eigen::Index>(i)] = read[i];
+  if (!(values.minCoeff() >= 0.0))
+    table.fail(key, "is negative"_text, "write a number that is not negative"_text);
+  return values;
+}
+
+PadSpec read_pad(TomlReader& table) {
+  PadSpec pad;
+  pad.hand = static_cast<Side>(table.choice("hand", {"left", "right"}));
+  const auto frame = PatchFrame::along(Vec3::Zero(), table.vec3("normal"), table.vec3("tangent"));
+  if (frame) {
+    pad.normal = frame->normal;
+    pad.tangent = frame->x;
+  } else {
+    table.fail(frame.error().field, frame.error().what, frame.error().remedy);
+  }
+  constexpr std::int64_t kMostRays = 360, kMostRings = 100;
+  TomlReader patch = table.table("patch");
+  const auto axes_m = patch.numbers("semi_axes_m", 2, 2);
+  if (axes_m.size() == 2) {
+    pad.face.semi_x_m = axes_m[0];
+    pad.face.semi_y_m = axes_m[1];
+  }
+  if (!(pad.face.semi_x_m > 0.0 && pad.face.semi_y_m > 0.0))
+    patch.fail("semi_axes_m", "is not above zero"_text, "write a larger number"_text);
+  for (const auto& [key, value, most] : {std::tuple{"rays", &pad.face.rays, kMostRays},
+                                         std::tuple{"rings", &pad.face.rings, kMostRings}}) {
+    const std::int64_t count = patch.integer(key, *value);
+    if (count < 1 || count > most)
+      patch.fail(key, "is out of range"_text, "write a whole number from 1 to %1"_text(most));
+    else
+      *value = static_cast<int>(count);
+  }
+  pad.friction = table.number("friction");
+  if (!(pad.friction >= 0.0))
+    table.fail("friction", "is negative"_text, "write a number that is not negative"_text);
+  pad.foundation_N_m3 = read_positive(table, "foundation_N_m3", std::nullopt);
+  pad.stiffness = read_six(table, "stiffness");
+  pad.damping = read_six(table, "damping");
+  if (!((pad.stiffness + pad.damping).minCoeff() > 0.0))
+    table.fail("stiffness", "leaves an axis without spring and damper"_text,
+               "give each axis one of the two"_text);
+  return pad;
+}
+
 }  // namespace
 
 bool has_hands(std::string_view text) noexcept {
@@ -104,6 +154,13 @@ Result<HandsScene> parse_hands_scene(std::string_view text, const std::string& f
       root->fail("magnet", "needs [grasp_detection]"_text, "add it, or write mode = \"off\""_text);
     if (scene.magnet.mode == Magnet::Mode::spring && scene.object.mass_kg == 0.0)
       root->fail("magnet", "needs an object with mass"_text, "give it one"_text);
+  }
+  for (TomlReader& table : root->tables("pad")) scene.pads.push_back(read_pad(table));
+  if (!scene.pads.empty()) {
+    TomlReader dynamics = root->table("dynamics");
+    scene.pad_step_s = read_positive(dynamics, "step_s", scene.pad_step_s);
+    if (!(scene.object.mass_kg > 0.0) || !(scene.object.inertia_kg_m2.minCoeff() > 0.0))
+      root->fail("pad", "needs an object with mass and inertia"_text, "give it both"_text);
   }
   if (const auto done = root->finish(); !done) return done.error();
   return scene;

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes with two hands: that of the object (grasp_model/scene.hpp) with [hands],
-// [grasp_detection] and [magnet] (docs/file_formats.md).
+// [grasp_detection], [magnet] and [[pad]] (docs/file_formats.md).
 #pragma once
 
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "bimanual/hands_spec.hpp"
+#include "bimanual/pads/held_by_pads.hpp"
 #include "core/result.hpp"
 #include "grasp_model/scene.hpp"
 
@@ -26,6 +28,8 @@ struct HandsScene {
   HandsSpec hands;
   std::optional<GraspDetection> grasp;  ///< nothing: they never hold it
   Magnet magnet;
+  std::vector<PadSpec> pads;
+  double pad_step_s = 1e-3;  ///< of pads
 };
 
 /// The text is of a scene with two hands.

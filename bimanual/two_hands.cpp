@@ -62,8 +62,7 @@ void TwoHands::turn() noexcept {
 
 const HandsState& TwoHands::see(const HandsInput& input) noexcept {
   for (std::size_t side = 0; side < kSides; ++side) {
-    const BubblePush push =
-        push_in_bubble(spec_, static_cast<Side>(side), input.push_N[side]);
+    const BubblePush push = push_in_bubble(spec_, static_cast<Side>(side), input.push_N[side]);
     state_.excess[side] = push.excess;
     state_.push_W_N[side] = turned(input.push_N[side], state_.view.yaw_rad);
     offset_W_[side] = turned(push.offset_m, state_.view.yaw_rad);
@@ -84,10 +83,9 @@ const HandsState& TwoHands::see(const HandsInput& input) noexcept {
                                                          : spec_.half_size_m.norm();
   const double t = std::tan(spec_.view_fov_rad / 2.0);
   state_.view.p_W = 0.5 * (state_.bubble_W[kLeft] + state_.bubble_W[kRight]);
-  state_.view.distance_m =
-      spec_.view_margin * std::max((0.5 * across_m + r) / (kAspect * t),
-                                   (0.5 * std::abs(between.y()) + r) / t) +
-      r;
+  state_.view.distance_m = spec_.view_margin * std::max((0.5 * across_m + r) / (kAspect * t),
+                                                        (0.5 * std::abs(between.y()) + r) / t) +
+                           r;
   return state_;
 }
 
@@ -108,9 +106,8 @@ std::array<Vec3, kSides> TwoHands::rates() const noexcept {
   for (std::size_t side = 0; side < kSides; ++side) {
     const double reach_m = offset_W_[side].norm();
     if (!(state_.excess[side] > 0.0) || reach_m == 0.0) continue;
-    const double speed_m_s =
-        std::min(spec_.rate_m_s * std::pow(state_.excess[side], spec_.rate_exponent),
-                 spec_.rate_limit_m_s);
+    const double speed_m_s = std::min(
+        spec_.rate_m_s * std::pow(state_.excess[side], spec_.rate_exponent), spec_.rate_limit_m_s);
     v_W[side] = speed_m_s / reach_m * offset_W_[side];
   }
   return v_W;

@@ -31,10 +31,10 @@ struct HandsView {
 
 /// Where everything is in one row.
 struct HandsState {
-  std::array<Vec3, kSides> p_W{};         ///< of the hands
-  std::array<Vec3, kSides> bubble_W{};    ///< middles of the bubbles
+  std::array<Vec3, kSides> p_W{};       ///< of the hands
+  std::array<Vec3, kSides> bubble_W{};  ///< middles of the bubbles
   std::array<double, kSides> excess{};
-  std::array<Vec3, kSides> push_W_N{};    ///< world axes
+  std::array<Vec3, kSides> push_W_N{};  ///< world axes
   HandsView view;
 };
 

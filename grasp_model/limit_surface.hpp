@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Friction of a contact patch that slides and turns about its normal at once (Coulomb-Contensou),
 // exact for a disk, and its torsional limit (that of any patch: patch/). For contacts with a known
-// slip velocity; measured forces use the ellipsoid (contact.hpp). Formulas: docs/grasp_model.md, "Soft finger". SI
-// units.
+// slip velocity; measured forces use the ellipsoid (contact.hpp). Formulas: docs/grasp_model.md,
+// "Soft finger". SI units.
 #pragma once
 
 #include <cstdint>

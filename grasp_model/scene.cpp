@@ -198,7 +198,8 @@ void read_pad(TomlReader& contact_table, const Scene& scene, Contact& contact) {
   pad.depth_m = table.number("depth_m", 0.0);
   contact.pad = pad;
   if (!contact.R_OC.allFinite()) return;  // told already
-  const auto patch = scan_patch(*surface_of_solid(scene.shape, scene.size_m), frame_of(contact), pad);
+  const auto patch =
+      scan_patch(*surface_of_solid(scene.shape, scene.size_m), frame_of(contact), pad);
   if (patch) {
     contact.torsion_m = patch->torsion_m;
     return;

@@ -115,8 +115,7 @@ TimedSolution timed(const PadStep& step, PadSolver solver) {
     const auto begin = std::chrono::steady_clock::now();
     timed.solution = solve(step, solver);
     times_us.push_back(
-        kMicro *
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+        kMicro * std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
   }
   std::nth_element(times_us.begin(), times_us.begin() + kTimes / 2, times_us.end());
   timed.solve_us = times_us[kTimes / 2];

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 namespace isograsp::bimanual {
@@ -17,9 +18,16 @@ template <int N>
     const Eigen::Matrix<double, N, N>& W, const Eigen::Matrix<double, N, 1>& slip_free,
     const Eigen::Matrix<double, N, 1>& limits) {
   using Vector = Eigen::Matrix<double, N, 1>;
+  using Matrix = Eigen::Matrix<double, N, N>;
+  if (limits.minCoeff() > 0.0) {
+    const Vector sticks = W.llt().solve(slip_free);
+    if (sticks.cwiseQuotient(limits).squaredNorm() <= 1.0) return sticks;
+  } else if (limits.isZero()) {
+    return Vector::Zero();
+  }
   // f = D y: the ellipsoid is the unit ball of y, and D u its outward normal.
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, N, N>> eigen(
-      limits.asDiagonal() * W * limits.asDiagonal());
+  const Matrix scaled = limits.asDiagonal() * W * limits.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(scaled);
   const Vector b = eigen.eigenvectors().transpose() * limits.cwiseProduct(slip_free);
   const Vector beta = eigen.eigenvalues().cwiseMax(0.0);
   const auto at = [&](double s) {

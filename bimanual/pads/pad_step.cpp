@@ -14,11 +14,12 @@ namespace {
 
 constexpr int kMostSweeps = 20000;
 /// Of the largest velocity: what a sweep may still change.
-constexpr double kSettled = 1e-13;
+constexpr double kSettled = 1e-10;
+/// Bodies slower than this stand still: what a sweep changes is compared with it [m/s], [rad/s].
+constexpr double kStill = 1e-3;
 /// Of the weights of aggregate_exact, which sum up to 1.
 constexpr double kWeightsSettled = 1e-11;
 constexpr int kMostRounds = 500;
-
 
 using Vec2 = Eigen::Vector2d;
 
@@ -81,7 +82,7 @@ class Change {
  public:
   explicit Change(const Bodies& bodies) : before_(bodies.velocity) {}
   [[nodiscard]] bool settled(const Bodies& bodies) const {
-    double change = 0.0, size = 0.0;
+    double change = 0.0, size = kStill;
     for (std::size_t b = 0; b < before_.size(); ++b) {
       change = std::max(change, (bodies.velocity[b] - before_[b]).cwiseAbs().maxCoeff());
       size = std::max(size, bodies.velocity[b].cwiseAbs().maxCoeff());
@@ -110,13 +111,14 @@ void sweep_until_settled(Bodies& bodies, PadSolution& solution, Sweep&& sweep) {
 struct PointBlock {
   Rows<1> normal;
   Rows<2> across;
-  double stiffness_N_m = 0.0;  ///< of its piece of the bed
-  double free_m = 0.0;         ///< penetration if nothing moved but as it does without contact
+  Eigen::Matrix<double, 3, 2> directions;  ///< of `across`
+  double stiffness_N_m = 0.0;              ///< of its piece of the bed
+  double free_m = 0.0;  ///< penetration if nothing moved but as it does without contact
   double normal_N = 0.0;
   Vec2 friction_N = Vec2::Zero();
 };
 
-PadSolution solve_points(const PadStep& step) {
+PadSolution solve_points(const PadStep& step, const PadSolution* before) {
   Bodies bodies(step);
   PadSolution solution;
   std::vector<std::vector<PointBlock>> blocks;
@@ -134,26 +136,34 @@ PadSolution solve_points(const PadStep& step) {
       block.stiffness_N_m = face.stiffness_N_m3 * point.area_m2;
       block.free_m =
           point.penetration_free_m - step.step_s * block.normal.slip(bodies, face).value();
+      block.directions << t.first, t.second;
       of_face.push_back(block);
     }
     solution.constraints += 3 * face.points.size();
   }
+  if (before != nullptr)
+    for (std::size_t f = 0; f < step.faces.size(); ++f)
+      for (std::size_t i = 0; i < blocks[f].size(); ++i) {
+        PointBlock& block = blocks[f][i];
+        block.normal_N = before->memory[f].normal_N[i];
+        block.friction_N = block.directions.transpose() * before->memory[f].friction_W_N[i];
+        block.normal.push(bodies, step.faces[f], Eigen::Matrix<double, 1, 1>(block.normal_N));
+        block.across.push(bodies, step.faces[f], block.friction_N);
+      }
   sweep_until_settled(bodies, solution, [&] {
     for (std::size_t f = 0; f < step.faces.size(); ++f) {
       const PadFace& face = step.faces[f];
       for (PointBlock& block : blocks[f]) {
-        const double depth_m =
-            block.free_m + step.step_s * block.normal.slip(bodies, face).value();
+        const double depth_m = block.free_m + step.step_s * block.normal.slip(bodies, face).value();
         const double k = block.stiffness_N_m;
         const double normal_N =
             std::max(0.0, block.normal_N + (k * depth_m - block.normal_N) /
                                                (1.0 + k * step.step_s * block.normal.W.value()));
         block.normal.push(bodies, face, Eigen::Matrix<double, 1, 1>(normal_N - block.normal_N));
         block.normal_N = normal_N;
-        const Vec2 slip_free =
-            block.across.slip(bodies, face) + block.across.W * block.friction_N;
-        const Vec2 friction_N = friction_in_ellipsoid<2>(
-            block.across.W, slip_free, Vec2::Constant(face.friction * normal_N));
+        const Vec2 slip_free = block.across.slip(bodies, face) + block.across.W * block.friction_N;
+        const Vec2 friction_N = friction_in_ellipsoid<2>(block.across.W, slip_free,
+                                                         Vec2::Constant(face.friction * normal_N));
         block.across.push(bodies, face, friction_N - block.friction_N);
         block.friction_N = friction_N;
       }
@@ -161,8 +171,12 @@ PadSolution solve_points(const PadStep& step) {
   });
   for (std::size_t f = 0; f < step.faces.size(); ++f) {
     Vec6 wrench = Vec6::Zero();
-    for (const PointBlock& block : blocks[f])
+    PadMemory& memory = solution.memory.emplace_back();
+    for (const PointBlock& block : blocks[f]) {
       wrench += block.normal.object * block.normal_N + block.across.object * block.friction_N;
+      memory.normal_N.push_back(block.normal_N);
+      memory.friction_W_N.push_back(block.directions * block.friction_N);
+    }
     solution.wrench_on_object.push_back(wrench);
   }
   solution.velocity = bodies.velocity;
@@ -180,8 +194,9 @@ struct FaceBlock {
   Rows<3> friction;        ///< two directions at the centroid of pressure, turning about the normal
   std::vector<Vec2> arms;  ///< of the points, from the centroid, in these directions
   double torsion_m = 0.0;  ///< mean distance from it
+  Eigen::Matrix<double, 3, 2> directions = Eigen::Matrix<double, 3, 2>::Zero();
   double normal_N = 0.0;
-  Vec3 friction_N = Vec3::Zero();     ///< force, force, torque
+  Vec3 friction_N = Vec3::Zero();      ///< force, force, torque
   std::vector<Vec2> point_friction_N;  ///< of aggregate_exact: what each point gives
 };
 
@@ -228,6 +243,7 @@ void aggregate(const PadStep& step, const Bodies& bodies, const std::vector<Vec6
   }
   block.normal.normalize();
   const Tangents t(block.normal);
+  block.directions << t.first, t.second;
   block.torsion_m = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
     const Vec3 arm = face.points[i].p_object - p_object;
@@ -282,19 +298,17 @@ void sweep_faces(const PadStep& step, Bodies& bodies, std::vector<FaceBlock>& bl
   for (std::size_t f = 0; f < step.faces.size(); ++f) {
     const PadFace& face = step.faces[f];
     FaceBlock& block = blocks[f];
-    if (!(block.torsion_m >= 0.0) || block.normal.isZero()) continue;
+    if (block.normal.isZero()) continue;  // nothing touches
     const double volume_m3 =
         block.volume_free_m3 + step.step_s * block.volume.slip(bodies, face).value();
     const double give = step.step_s * (block.volume.object.dot(block.pressure.by_object) +
                                        block.volume.pad.dot(block.pressure.by_pad));
     const double k = face.stiffness_N_m3;
-    const double normal_N =
-        std::max(0.0, block.normal_N + (k * volume_m3 - block.normal_N) /
-                                           (1.0 + k * step.step_s * give));
+    const double normal_N = std::max(
+        0.0, block.normal_N + (k * volume_m3 - block.normal_N) / (1.0 + k * step.step_s * give));
     block.pressure.push(bodies, face, Eigen::Matrix<double, 1, 1>(normal_N - block.normal_N));
     block.normal_N = normal_N;
-    const Vec3 slip_free =
-        block.friction.slip(bodies, face) + block.friction.W * block.friction_N;
+    const Vec3 slip_free = block.friction.slip(bodies, face) + block.friction.W * block.friction_N;
     const double limit_N = face.friction * normal_N;
     const Vec3 friction =
         exact ? friction_of_points(block.friction.W, slip_free, block, limit_N)
@@ -305,13 +319,36 @@ void sweep_faces(const PadStep& step, Bodies& bodies, std::vector<FaceBlock>& bl
   }
 }
 
-PadSolution solve_faces(const PadStep& step, bool exact) {
+/// Begins with the forces of the step before.
+void recall(const PadMemory& memory, const PadFace& face, Bodies& bodies, FaceBlock& block) {
+  if (block.normal.isZero()) return;
+  block.normal_N = memory.normal_N.front();
+  block.friction_N << block.directions.transpose() * memory.friction_W_N.front(), memory.torque_Nm;
+  for (std::size_t i = 0; i < memory.point_friction_W_N.size(); ++i)
+    block.point_friction_N[i] = block.directions.transpose() * memory.point_friction_W_N[i];
+  block.pressure.push(bodies, face, Eigen::Matrix<double, 1, 1>(block.normal_N));
+  block.friction.push(bodies, face, block.friction_N);
+}
+PadMemory memory_of(const FaceBlock& block) {
+  PadMemory memory;
+  memory.normal_N = {block.normal_N};
+  memory.friction_W_N = {block.directions * block.friction_N.head<2>()};
+  memory.torque_Nm = block.friction_N[2];
+  for (const Vec2& force : block.point_friction_N)
+    memory.point_friction_W_N.push_back(block.directions * force);
+  return memory;
+}
+
+PadSolution solve_faces(const PadStep& step, bool exact, const PadSolution* before) {
   Bodies bodies(step);
   PadSolution solution;
   solution.constraints = 4 * step.faces.size();
   std::vector<FaceBlock> blocks(step.faces.size());
   for (std::size_t f = 0; f < step.faces.size(); ++f)
     aggregate(step, bodies, step.velocity_free, step.faces[f], blocks[f]);
+  if (before != nullptr)
+    for (std::size_t f = 0; f < step.faces.size(); ++f)
+      recall(before->memory[f], step.faces[f], bodies, blocks[f]);
   for (int round = 0; round < kMostRounds; ++round) {
     sweep_until_settled(bodies, solution, [&] { sweep_faces(step, bodies, blocks, exact); });
     if (!exact) break;
@@ -320,34 +357,38 @@ PadSolution solve_faces(const PadStep& step, bool exact) {
     for (std::size_t f = 0; f < step.faces.size(); ++f) {
       const PadFace& face = step.faces[f];
       FaceBlock& block = blocks[f];
-      const std::vector<double> before = block.share;
+      const std::vector<double> former = block.share;
       // Forces go on from where they are, by rows that stand where the pressure is now.
       block.pressure.push(bodies, face, Eigen::Matrix<double, 1, 1>(-block.normal_N));
       block.friction.push(bodies, face, -block.friction_N);
       aggregate(step, bodies, reached, face, block);
       block.pressure.push(bodies, face, Eigen::Matrix<double, 1, 1>(block.normal_N));
       block.friction.push(bodies, face, block.friction_N);
-      for (std::size_t i = 0; i < before.size(); ++i)
-        change = std::max(change, std::abs(block.share[i] - before[i]));
+      for (std::size_t i = 0; i < former.size(); ++i)
+        change = std::max(change, std::abs(block.share[i] - former[i]));
     }
     if (change <= kWeightsSettled) break;
   }
-  for (const FaceBlock& block : blocks)
-    solution.wrench_on_object.push_back(block.pressure.object * block.normal_N +
-                                        block.friction.object * block.friction_N);
+  for (const FaceBlock& block : blocks) {
+    const bool touched = !block.normal.isZero();
+    solution.wrench_on_object.push_back(touched ? Vec6(block.pressure.object * block.normal_N +
+                                                       block.friction.object * block.friction_N)
+                                                : Vec6(Vec6::Zero()));
+    solution.memory.push_back(memory_of(block));
+  }
   solution.velocity = bodies.velocity;
   return solution;
 }
 
 }  // namespace
 
-PadSolution solve(const PadStep& step, PadSolver solver) {
+PadSolution solve(const PadStep& step, PadSolver solver, const PadSolution* before) {
   switch (solver) {
-    case PadSolver::pointwise: return solve_points(step);
-    case PadSolver::aggregate: return solve_faces(step, false);
+    case PadSolver::pointwise: return solve_points(step, before);
+    case PadSolver::aggregate: return solve_faces(step, false, before);
     case PadSolver::aggregate_exact: break;
   }
-  return solve_faces(step, true);
+  return solve_faces(step, true, before);
 }
 
 double wrench_error(const PadSolution& solution, const PadSolution& exact) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One backward-Euler step of an object that soft pads hold: a pad is a rigid face of points on a bed
-// of springs, k [N/m^3], with Coulomb friction, on springs and dampers of its own (Talvas et al.,
-// aggregate constraints; docs/bimanual.md, "Pads"). Geometry is that of the begin of the step. Three
-// ways to solve it: every point (3 rows each), or one normal, two tangential and one torsional row
-// for each pad, with the friction of an ellipsoid or that of its points. SI units, world axes.
+// One backward-Euler step of an object that soft pads hold: a pad is a rigid face of points on a
+// bed of springs, k [N/m^3], with Coulomb friction, on springs and dampers of its own (Talvas et
+// al., aggregate constraints; docs/bimanual.md, "Pads"). Geometry is that of the begin of the step.
+// Three ways to solve it: every point (3 rows each), or one normal, two tangential and one
+// torsional row for each pad, with the friction of an ellipsoid or that of its points. SI units,
+// world axes.
 #pragma once
 
 #include <cstdint>
@@ -45,17 +46,28 @@ enum class PadSolver : std::uint8_t { pointwise, aggregate, aggregate_exact };
 inline constexpr std::array<std::string_view, 3> kPadSolverNames{"pointwise", "aggregate",
                                                                  "aggregate_exact"};
 
+/// Forces of a face that the next step may begin with: of each point, or of the face as one block.
+struct PadMemory {
+  std::vector<double> normal_N;
+  std::vector<Vec3> friction_W_N;
+  double torque_Nm = 0.0;
+  std::vector<Vec3> point_friction_W_N;  ///< of aggregate_exact
+};
+
 struct PadSolution {
   std::vector<Vec6> velocity;          ///< of each body
   std::vector<Vec6> wrench_on_object;  ///< of each face, about the object's origin
   std::size_t constraints = 0;         ///< rows, whether they act or not
   int sweeps = 0;                      ///< over all faces
   bool settled = true;                 ///< false: the sweeps ended before it did
+  std::vector<PadMemory> memory;       ///< of each face
 };
 
 /// Block Gauss-Seidel in the velocities of the bodies, until no sweep changes a velocity by more
-/// than kSettled of the largest one.
-[[nodiscard]] PadSolution solve(const PadStep& step, PadSolver solver);
+/// than 1e-10 of the largest one. `before`: the step before, of the same faces and by the same
+/// solver, whose forces it begins with; null: with none. The answer is the same within that.
+[[nodiscard]] PadSolution solve(const PadStep& step, PadSolver solver,
+                                const PadSolution* before = nullptr);
 
 /// Largest difference of two solutions: of forces over `largest_N`, of torques over
 /// `largest_N` times kArm_m.

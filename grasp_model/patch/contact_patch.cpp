@@ -18,7 +18,9 @@ constexpr int kMostRays = 100000;
 constexpr int kMostRings = 10000;
 
 Result<void> check_pad(const Pad& pad) {
-  const auto bad = [](Text what) { return refused(std::move(what), "correct it"_text).about("pad"); };
+  const auto bad = [](Text what) {
+    return refused(std::move(what), "correct it"_text).about("pad");
+  };
   const auto is_positive = [](double value) { return value > 0.0 && std::isfinite(value); };
   if (!is_positive(pad.semi_x_m) || !is_positive(pad.semi_y_m))
     return bad("its semi-axes are no positive lengths"_text);
@@ -43,7 +45,8 @@ Result<PatchFrame> PatchFrame::along(const Vec3& p, const Vec3& normal, const Ve
   PatchFrame frame;
   frame.p = p;
   if (!(normal.norm() > 0.0) || !normal.allFinite())
-    return refused("is no direction"_text, "write three numbers, not all zero"_text).about("normal");
+    return refused("is no direction"_text, "write three numbers, not all zero"_text)
+        .about("normal");
   frame.normal = normal.normalized();
   const Vec3 across = frame.normal.cross(tangent);
   if (!(across.norm() > kLeastSine * tangent.norm()) || !tangent.allFinite())
@@ -70,29 +73,36 @@ Result<ContactPatch> scan_patch(const PatchSurface& surface, const PatchFrame& f
   return patch_of(*rays, pad);
 }
 
-ContactPatch patch_of(std::span<const PatchRay> rays, const Pad& pad) {
-  ContactPatch patch;
-  std::vector<PressedPoint> points;
+std::vector<PressedPoint> elements_of(std::span<const PatchRay> rays, const Pad& pad) {
+  std::vector<PressedPoint> elements;
   const double sector_rad = 2.0 * std::numbers::pi / static_cast<double>(rays.size());
   for (std::size_t j = 0; j < rays.size(); ++j) {
-    const PatchRay& ray = rays[j];
-    ++patch.stopped[static_cast<std::size_t>(ray.stop)];
     const Vec2 outward = direction(angle_of(j, rays.size()));
-    patch.outline_m.push_back((ray.pieces.empty() ? 0.0 : ray.pieces.back().to_m) * outward);
-    for (const RayPiece& piece : ray.pieces) {
+    for (const RayPiece& piece : rays[j].pieces) {
       const double length_m = piece.to_m - piece.from_m;
       if (!(length_m > 0.0)) continue;
       const int steps = std::max(
-          1, static_cast<int>(std::ceil(pad.rings * length_m / ray.limit_m - kRingSlack)));
+          1, static_cast<int>(std::ceil(pad.rings * length_m / rays[j].limit_m - kRingSlack)));
       for (int step = 0; step < steps; ++step) {
         const double a = piece.from_m + length_m * step / steps;
         const double b = piece.from_m + length_m * (step + 1) / steps;
         // (b³ - a³) / (b² - a²), without the difference of near equals.
         const double radius_m = 2.0 / 3.0 * (a * a + a * b + b * b) / (a + b);
-        points.push_back({radius_m * outward, sector_rad * (b - a) * (b + a) / 2.0});
+        elements.push_back({radius_m * outward, sector_rad * (b - a) * (b + a) / 2.0});
       }
     }
   }
+  return elements;
+}
+
+ContactPatch patch_of(std::span<const PatchRay> rays, const Pad& pad) {
+  ContactPatch patch;
+  for (std::size_t j = 0; j < rays.size(); ++j) {
+    ++patch.stopped[static_cast<std::size_t>(rays[j].stop)];
+    const double end_m = rays[j].pieces.empty() ? 0.0 : rays[j].pieces.back().to_m;
+    patch.outline_m.push_back(end_m * direction(angle_of(j, rays.size())));
+  }
+  std::vector<PressedPoint> points = elements_of(rays, pad);
   patch.elements = points.size();
   for (const PressedPoint& point : points) patch.area_m2 += point.share;
   if (!(patch.area_m2 > 0.0)) return patch;

@@ -58,7 +58,7 @@ struct PatchRay {
 
 /// Where the pad presses, and how its rays run in the contact frame.
 struct PatchFrame {
-  Vec3 p = Vec3::Zero();       ///< the contact point
+  Vec3 p = Vec3::Zero();        ///< the contact point
   Vec3 normal = Vec3::UnitZ();  ///< into the object
   Vec3 x = Vec3::UnitX();
   Vec3 y = Vec3::UnitY();  ///< normal x x
@@ -104,14 +104,16 @@ struct PadReach {
 [[nodiscard]] Result<ContactPatch> scan_patch(const PatchSurface& surface, const PatchFrame& frame,
                                               const Pad& pad);
 
-/// The same from rays: sectors of 2 pi / rays between two radii; ray j is at 2 pi j / rays.
-[[nodiscard]] ContactPatch patch_of(std::span<const PatchRay> rays, const Pad& pad);
-
 /// A place that carries a share of the pressure.
 struct PressedPoint {
   Vec2 p_m = Vec2::Zero();
   double share = 0.0;  ///< of all: they sum up to 1
 };
+/// The sectors of the rays; a share is an area here [m^2].
+[[nodiscard]] std::vector<PressedPoint> elements_of(std::span<const PatchRay> rays, const Pad& pad);
+/// The same from rays: sectors of 2 pi / rays between two radii; ray j is at 2 pi j / rays.
+[[nodiscard]] ContactPatch patch_of(std::span<const PatchRay> rays, const Pad& pad);
+
 /// Where the sum of shares times distance is least: their geometric median, by the steps of Newton
 /// and Weiszfeld.
 [[nodiscard]] Vec2 geometric_median(std::span<const PressedPoint> points);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a ray walks: the half plane of normal and direction cuts the mesh in a line from edge to edge.
-// A vertex that lies in the plane counts as on one side of it, always the same: so each triangle is
-// cut at two edges or none, and the walk never stands at a vertex (simulation of simplicity).
+// How a ray walks: the half plane of normal and direction cuts the mesh in a line from edge to
+// edge. A vertex that lies in the plane counts as on one side of it, always the same: so each
+// triangle is cut at two edges or none, and the walk never stands at a vertex (simulation of
+// simplicity).
 #include "grasp_model/patch/mesh_surface.hpp"
 
 #include <algorithm>
@@ -150,8 +151,8 @@ Result<std::vector<PatchRay>> MeshSurface::rays(const PatchFrame& frame, const P
   for (int j = 0; j < pad.rays; ++j) {
     const PadReach reach = reach_of_ray(pad, j);
     const Vec3 along = std::cos(reach.angle_rad) * frame.x + std::sin(reach.angle_rad) * frame.y;
-    rays.push_back(ray({frame.p, along, frame.normal, frame.normal.cross(along)}, *on,
-                       reach.limit_m, pad));
+    rays.push_back(
+        ray({frame.p, along, frame.normal, frame.normal.cross(along)}, *on, reach.limit_m, pad));
   }
   return rays;
 }

@@ -12,7 +12,8 @@ Result<PressedPatch> press(std::span<const PatchPoint> points, double friction) 
   int touching = 0;
   for (const PatchPoint& point : points) {
     if (!(point.area_m2 > 0.0) || !point.p_m.allFinite() || !std::isfinite(point.penetration_m))
-      return refused("a point has no area or no place"_text, "give positive areas and numbers"_text);
+      return refused("a point has no area or no place"_text,
+                     "give positive areas and numbers"_text);
     if (point.penetration_m <= 0.0) continue;
     depth_m += point.penetration_m;
     patch.volume_m3 += point.area_m2 * point.penetration_m;

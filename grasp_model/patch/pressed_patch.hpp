@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A patch of points pressed on a bed of springs: how the pressure is spread, and the friction of all
-// points together while the patch slides and turns (Talvas et al., aggregate constraints;
+// A patch of points pressed on a bed of springs: how the pressure is spread, and the friction of
+// all points together while the patch slides and turns (Talvas et al., aggregate constraints;
 // docs/grasp_model.md, "Contact patch"). Per newton of normal force; tangent plane of the contact.
 #pragma once
 

@@ -87,7 +87,8 @@ Result<MeshSurface> MeshSurface::parse(std::string_view obj, const std::string& 
         const bool is_number = parse_number(word.substr(0, word.find('/')), number);
         if (is_number && number < 0.0) number += count + 1.0;
         if (!is_number || number != std::floor(number) || !(number >= 1.0 && number <= count))
-          return bad_line(file, line, "'%1' is no vertex of the lines before"_text(std::string(word)),
+          return bad_line(file, line,
+                          "'%1' is no vertex of the lines before"_text(std::string(word)),
                           "write numbers from 1 on"_text);
         corners.push_back(numbers[static_cast<std::size_t>(number) - 1]);
       }
@@ -117,7 +118,8 @@ Result<MeshSurface> MeshSurface::parse(std::string_view obj, const std::string& 
   return connect(places.take(), std::move(triangles), lines, file);
 }
 
-Result<MeshSurface> MeshSurface::connect(std::vector<Vec3> vertices, std::vector<Triangle> triangles,
+Result<MeshSurface> MeshSurface::connect(std::vector<Vec3> vertices,
+                                         std::vector<Triangle> triangles,
                                          const std::vector<int>& lines, const std::string& file) {
   // An edge runs once in either direction, if at all.
   std::unordered_map<std::uint64_t, std::pair<std::uint32_t, std::uint32_t>> edges;

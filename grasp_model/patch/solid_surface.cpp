@@ -14,8 +14,7 @@ constexpr double kQuarterTurn_rad = std::numbers::pi / 2.0;
 
 /// `inward`: the solid's own normal at the point.
 Result<void> check_normal(const PatchFrame& frame, const Vec3& inward) {
-  const double off_rad =
-      std::atan2(frame.normal.cross(inward).norm(), frame.normal.dot(inward));
+  const double off_rad = std::atan2(frame.normal.cross(inward).norm(), frame.normal.dot(inward));
   if (off_rad <= kSameNormal_rad) return {};
   if (off_rad > kQuarterTurn_rad) return normal_outward();
   constexpr double kDegrees = 180.0 / std::numbers::pi;
@@ -31,9 +30,8 @@ struct RayEnd {
 };
 /// The first of them; of equals the first in the list.
 PatchRay ray_to(std::initializer_list<RayEnd> ends, double limit_m) {
-  const RayEnd first = std::min(ends, [](const RayEnd& a, const RayEnd& b) {
-    return a.at_m < b.at_m;
-  });
+  const RayEnd first =
+      std::min(ends, [](const RayEnd& a, const RayEnd& b) { return a.at_m < b.at_m; });
   return {limit_m, first.stop, {{0.0, first.at_m}}};
 }
 
@@ -60,8 +58,7 @@ PatchRay rough_ray(RayEnd end, double counts_m, double limit_m) {
 
 /// Angle up to which an ellipse with half axes R / sin beta (along the ray) and R is as long as
 /// `length_m`; at most `most_rad`. `cosine`, `sine`: of beta, between ray and axis.
-double angle_of_arc(double length_m, double radius_m, double cosine, double sine,
-                    double most_rad) {
+double angle_of_arc(double length_m, double radius_m, double cosine, double sine, double most_rad) {
   const double scale_m = radius_m / sine;
   const double k = std::min(1.0, std::abs(cosine));
   const auto length = [&](double angle_rad) { return scale_m * std::ellint_2(k, angle_rad); };
@@ -126,8 +123,7 @@ Result<void> BoxSurface::check(const PatchFrame& frame) const {
   return check_normal(frame, inward);
 }
 
-Result<std::vector<PatchRay>> BoxSurface::rays(const PatchFrame& frame,
-                                                  const Pad& pad) const {
+Result<std::vector<PatchRay>> BoxSurface::rays(const PatchFrame& frame, const Pad& pad) const {
   if (auto good = check(frame); !good) return good.error();
   return all_rays(pad, [&](PadReach reach) { return ray(frame, reach, pad); });
 }
@@ -153,8 +149,7 @@ Result<void> SphereSurface::check(const PatchFrame& frame) const {
   return check_normal(frame, -frame.p.normalized());
 }
 
-Result<std::vector<PatchRay>> SphereSurface::rays(const PatchFrame& frame,
-                                                  const Pad& pad) const {
+Result<std::vector<PatchRay>> SphereSurface::rays(const PatchFrame& frame, const Pad& pad) const {
   if (auto good = check(frame); !good) return good.error();
   return all_rays(pad, [&](PadReach reach) { return ray(frame, reach, pad); });
 }
@@ -162,8 +157,8 @@ Result<std::vector<PatchRay>> SphereSurface::rays(const PatchFrame& frame,
 PatchRay SphereSurface::ray(const PatchFrame&, PadReach reach, const Pad& pad) const {
   const double limit_m = reach.limit_m;
   if (pad.rough) {
-    const RayEnd end = limit_m < radius_m_ ? RayEnd{limit_m, RayStop::length}
-                                           : RayEnd{radius_m_, RayStop::edge};
+    const RayEnd end =
+        limit_m < radius_m_ ? RayEnd{limit_m, RayStop::length} : RayEnd{radius_m_, RayStop::edge};
     return rough_ray(end, rough_limit_m(radius_m_, pad), limit_m);
   }
   const double turn_rad = limit_m / radius_m_;
@@ -183,15 +178,14 @@ Result<void> CylinderSurface::check(const PatchFrame& frame) const {
   const double from_axis_m = frame.p.head<2>().norm();
   const double side_m = from_axis_m - radius_m_;
   const double cap_m = std::abs(frame.p.z()) - half_length_m_;
-  const double off_m = on_cap(frame) ? std::max(std::abs(cap_m), side_m)
-                                     : std::max(std::abs(side_m), cap_m);
+  const double off_m =
+      on_cap(frame) ? std::max(std::abs(cap_m), side_m) : std::max(std::abs(side_m), cap_m);
   if (!(off_m <= kOnSurface_m)) return not_on_surface(off_m);
   if (on_cap(frame)) return check_normal(frame, Vec3(0.0, 0.0, frame.p.z() > 0.0 ? -1.0 : 1.0));
   return check_normal(frame, Vec3(-frame.p.x(), -frame.p.y(), 0.0) / from_axis_m);
 }
 
-Result<std::vector<PatchRay>> CylinderSurface::rays(const PatchFrame& frame,
-                                                  const Pad& pad) const {
+Result<std::vector<PatchRay>> CylinderSurface::rays(const PatchFrame& frame, const Pad& pad) const {
   if (auto good = check(frame); !good) return good.error();
   return all_rays(pad, [&](PadReach reach) { return ray(frame, reach, pad); });
 }
@@ -218,10 +212,8 @@ PatchRay CylinderSurface::ray(const PatchFrame& frame, PadReach reach, const Pad
   if (sine * limit_m < kStraight * radius_m_) return flat_ray(end_m, limit_m, pad);
   const double widest_m = radius_m_ / sine;
   if (pad.rough) {
-    const PatchRay bare = ray_to({{limit_m, RayStop::length},
-                                  {end_m, RayStop::edge},
-                                  {widest_m, RayStop::edge}},
-                                 limit_m);
+    const PatchRay bare = ray_to(
+        {{limit_m, RayStop::length}, {end_m, RayStop::edge}, {widest_m, RayStop::edge}}, limit_m);
     return rough_ray({bare.pieces[0].to_m, bare.stop}, rough_limit_m(radius_m_, pad) / sine,
                      limit_m);
   }

@@ -45,6 +45,36 @@ TEST(TwoHandsCommands, ASceneOfBubblesMovesAsTheReference) {
   }
 }
 
+TEST(TwoHandsCommands, PadsLiftTiltAndTwistABlockAsTheReference) {
+  const TemporaryFolder folder;
+  const auto golden = test::golden_table(kData + "pad_lift_reference.csv");
+  for (const auto& [solver, limit] : {std::pair{"aggregate", 0.15}, {"aggregate_exact", 0.03}}) {
+    const auto done =
+        isograsp("simulate --scene " + kData + "pad_lift.toml --proxies " + kData +
+                 "pad_lift_proxies.csv --pad-solver " + solver + " --out " + folder.path("o.csv"));
+    ASSERT_EQ(done.status, 0) << done.err;
+    const auto found = test::golden_table(folder.path("o.csv"));
+    std::size_t row = 0;
+    for (const auto& expected : test::every(golden)) {
+      while (number_in(found[row], "t_s") < number_in(expected, "t_s") - 1e-6) ++row;
+      for (const auto& [column, text] : expected) {
+        if (column == "t_s" || column.ends_with("_band")) continue;
+        // What a first-order step of 1 ms may differ, and a share of the largest value.
+        const double largest = column.ends_with("_Nm")  ? 0.02
+                               : column.ends_with("_N") ? 3.0
+                               : column.ends_with("_m") ? 0.02
+                                                        : 1.0;
+        const auto band = expected.find(column + "_band");
+        const double tolerance =
+            limit * largest +
+            (band == expected.end() ? 0.0 : number_in(expected, column + "_band"));
+        ASSERT_WITHIN(number_in(found[row], column), number_in(expected, column), tolerance)
+            << solver << " " << column << " at " << number_in(expected, "t_s") << " s";
+      }
+    }
+  }
+}
+
 TEST(TwoHandsCommands, ForcesThatAreNoPushesAreRefusedByColumnAndNothingIsWritten) {
   const TemporaryFolder folder;
   const std::string forces = folder.write("f.csv", "t_s,left_push_x_N\n0,1\n0.01,1\n");

@@ -78,8 +78,7 @@ TEST(PadStep, EveryPointIsThatOfTheGoldenCasesAndPadsAsOneBlockAreNear) {
     EXPECT_WITHIN(wrench_error(exact, golden), 0.0, flat ? kExactFlat : kCurved);
     for (const PadSolution* solution : {&rough, &exact}) {
       EXPECT_TRUE(solution->settled);
-      EXPECT_EQ(solution->constraints,
-                one["expected"]["constraints_aggregate"].get<std::size_t>());
+      EXPECT_EQ(solution->constraints, one["expected"]["constraints_aggregate"].get<std::size_t>());
     }
   }
 }
@@ -89,7 +88,8 @@ PadStep squeezed(int n, double pull_mps, double spin_radps, double friction) {
   PadStep step;
   step.inertia.assign(3, Mat6::Identity());
   step.inertia[0].diagonal() << 0.3, 0.3, 0.3, 2.5e-4, 2.5e-4, 2.5e-4;
-  for (int pad : {1, 2}) step.inertia[static_cast<std::size_t>(pad)].diagonal() << 5, 5, 5, .01, .01, .01;
+  for (int pad : {1, 2})
+    step.inertia[static_cast<std::size_t>(pad)].diagonal() << 5, 5, 5, .01, .01, .01;
   step.velocity_free.assign(3, Vec6::Zero());
   step.velocity_free[0] << 0, -pull_mps, 0, spin_radps, 0, 0;
   for (const double side : {-1.0, 1.0}) {
@@ -164,13 +164,15 @@ TEST(PadStep, NothingActsWhereNothingTouches) {
 TEST(FrictionBlock, IsInsideAndLetsNothingSlipOrOnTheSurfaceAlongItsNormal) {
   Random random(6, 6);
   for (int k = 0; k < 20000; ++k) {
-    const Eigen::Matrix3d root = Eigen::Matrix3d::NullaryExpr([&] { return random.uniform() - 0.5; });
+    const Eigen::Matrix3d root =
+        Eigen::Matrix3d::NullaryExpr([&] { return random.uniform() - 0.5; });
     const Eigen::Matrix3d W = root * root.transpose() + 1e-3 * Eigen::Matrix3d::Identity();
     const Vec3 slip_free = 10.0 * test::random_vector(random, 1.0);
     const Vec3 limits(random.uniform(), random.uniform(), k % 7 == 0 ? 0.0 : random.uniform());
     const Vec3 f = friction_in_ellipsoid<3>(W, slip_free, limits);
     const Vec3 slip = slip_free - W * f;
-    const Vec3 y = Vec3::NullaryExpr([&](Eigen::Index i) { return limits[i] > 0 ? f[i] / limits[i] : 0.0; });
+    const Vec3 y =
+        Vec3::NullaryExpr([&](Eigen::Index i) { return limits[i] > 0 ? f[i] / limits[i] : 0.0; });
     ASSERT_LE(y.norm(), 1.0 + 1e-12);
     const Vec3 scaled = limits.cwiseProduct(slip);
     if (y.norm() < 1.0 - 1e-9) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Laws of two hands as points: nothing jumps at the edge of a bubble, hands never cross, left is the
-// mirror of right, bubbles that move as one keep their distance.
+// Laws of two hands as points: nothing jumps at the edge of a bubble, hands never cross, left is
+// the mirror of right, bubbles that move as one keep their distance.
 #include "bimanual/two_hands.hpp"
 
 #include <cmath>
@@ -175,10 +175,10 @@ TEST(Clip, SaysWhichPointsOfASegmentAreInside) {
       for (int i = 0; i <= 50; ++i) {
         const double t = i / 50.0;
         const Vec3 p = a + t * (b - a);
-        const bool inside =
-            shape == Shape::box      ? (p.cwiseAbs() - size_m / 2.0).maxCoeff() < 0.0
-            : shape == Shape::sphere ? p.norm() < 0.03
-                                     : p.head<2>().norm() < 0.03 && std::abs(p.z()) < 0.025;
+        const bool inside = shape == Shape::box ? (p.cwiseAbs() - size_m / 2.0).maxCoeff() < 0.0
+                            : shape == Shape::sphere
+                                ? p.norm() < 0.03
+                                : p.head<2>().norm() < 0.03 && std::abs(p.z()) < 0.025;
         constexpr double kEdge = 1e-9;
         if (inside)
           ASSERT_TRUE(part && t >= part->from - kEdge && t <= part->to + kEdge) << k;
@@ -206,8 +206,8 @@ TEST(Pinch, OnSpringsGivesNoMoreEnergyThanItTook) {
       double energy = 0.5 * scene.object.mass_kg * now.v_WO_W.squaredNorm() +
                       0.5 * now.w_WO_W.dot(scene.object.inertia_kg_m2.cwiseProduct(now.w_WO_W));
       for (std::size_t side = 0; side < kSides; ++side)
-        energy += 0.5 * k *
-                  (p[side] - now.X_WO.p - now.X_WO.q * grasp.anchors_O()[side]).squaredNorm();
+        energy +=
+            0.5 * k * (p[side] - now.X_WO.p - now.X_WO.q * grasp.anchors_O()[side]).squaredNorm();
       return energy;
     };
     double had = stored();

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Meshes: what is accepted can be scanned from the middle of its first faces, smooth and rough, and
 // no ray goes farther than the pad.
-#include "grasp_model/patch/mesh_surface.hpp"
-
 #include <cmath>
 
+#include "grasp_model/patch/mesh_surface.hpp"
 #include "tests/fuzz/support.hpp"
 
 using namespace isograsp;

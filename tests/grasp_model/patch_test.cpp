@@ -37,8 +37,7 @@ MeshSurface mesh_of(const std::string& name) {
 
 ContactPatch scan(const PatchSurface& surface, const Vec3& p, const Vec3& normal,
                   const Vec3& tangent, const Pad& pad) {
-  return test::must(
-      scan_patch(surface, test::must(PatchFrame::along(p, normal, tangent)), pad));
+  return test::must(scan_patch(surface, test::must(PatchFrame::along(p, normal, tangent)), pad));
 }
 
 TEST(Patch, IsThatOfTheGoldenCases) {
@@ -186,8 +185,8 @@ TEST(Patch, ARayThatRunsAlongEdgesAndThroughVerticesGoesAsFarAsItsNeighbours) {
   std::string obj;
   for (int i = 0; i <= 20; ++i)
     for (int k = 0; k <= 20; ++k)
-      obj += "v " + std::to_string(0.001 * (i - 10)) + " " + std::to_string(0.001 * (k - 10)) +
-             " 0\n";
+      obj +=
+          "v " + std::to_string(0.001 * (i - 10)) + " " + std::to_string(0.001 * (k - 10)) + " 0\n";
   for (int i = 0; i < 20; ++i)
     for (int k = 0; k < 20; ++k) {
       const int a = 21 * i + k + 1;
@@ -199,8 +198,8 @@ TEST(Patch, ARayThatRunsAlongEdgesAndThroughVerticesGoesAsFarAsItsNeighbours) {
   for (const Vec3& p : {Vec3(0, 0, 0), Vec3(0.001, 0.002, 0), Vec3(0.0005, 0, 0),
                         Vec3(0.0005, 0.0005, 0), Vec3(0.0003, 0.0001, 0)}) {
     const ContactPatch patch = scan(mesh, p, -Vec3::UnitZ(), Vec3::UnitX(), {});
-    const ContactPatch face = scan(BoxSurface(Vec3(1, 1, 1)), p + Vec3(0, 0, 0.5), -Vec3::UnitZ(),
-                                   Vec3::UnitX(), {});
+    const ContactPatch face =
+        scan(BoxSurface(Vec3(1, 1, 1)), p + Vec3(0, 0, 0.5), -Vec3::UnitZ(), Vec3::UnitX(), {});
     EXPECT_EQ(patch.stopped[static_cast<std::size_t>(RayStop::length)], 64U) << p.transpose();
     EXPECT_WITHIN(patch.torsion_m, face.torsion_m, kRounding);
   }
@@ -222,8 +221,7 @@ TEST(Patch, ARoughFlatFaceIsTheFaceAndADepthOfNothingLeavesASphereNothing) {
   double before_m2 = 0.0;
   for (const double depth_m : {1e-4, 5e-4, 1e-3}) {
     pad.depth_m = depth_m;
-    const double area_m2 =
-        scan(sphere, {0.02, 0, 0}, -Vec3::UnitX(), Vec3::UnitY(), pad).area_m2;
+    const double area_m2 = scan(sphere, {0.02, 0, 0}, -Vec3::UnitX(), Vec3::UnitY(), pad).area_m2;
     EXPECT_GT(area_m2, before_m2);
     before_m2 = area_m2;
   }

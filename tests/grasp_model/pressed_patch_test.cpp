@@ -62,7 +62,8 @@ PressedPatch random_patch(Random& random, int count) {
   std::vector<PatchPoint> points;
   for (int i = 0; i < count; ++i)
     points.push_back({{0.01 * random.uniform(), 0.01 * random.uniform()},
-                      1e-6 * (0.1 + random.uniform()), 1e-3 * (random.uniform() - 0.3)});
+                      1e-6 * (0.1 + random.uniform()),
+                      1e-3 * (random.uniform() - 0.3)});
   points.front().penetration_m = 1e-3;
   return test::must(press(points, 0.8));
 }
@@ -92,8 +93,7 @@ TEST(PressedPatch, TheMedianIsNoFartherThanAnyOtherPlace) {
         EXPECT_LE(patch.pure_torsion_limit_m,
                   0.8 * mean_distance(patch.touching, {0.0005 * i, 0.0005 * j}) * (1.0 + 1e-12));
     for (const PressedPoint& point : patch.touching)
-      EXPECT_LE(patch.pure_torsion_limit_m,
-                0.8 * mean_distance(patch.touching, point.p_m) + 1e-18);
+      EXPECT_LE(patch.pure_torsion_limit_m, 0.8 * mean_distance(patch.touching, point.p_m) + 1e-18);
   }
 }
 

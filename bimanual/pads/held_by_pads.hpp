@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An object that soft pads hold, step by step: each pad hangs on its proxy, which is led
+// (docs/bimanual.md, "Pads"). SI units, world axes.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "bimanual/hands_spec.hpp"
+#include "bimanual/pads/pad_step.hpp"
+#include "grasp_model/scene.hpp"
+
+namespace isograsp::bimanual {
+
+/// A pad as a scene says it.
+struct PadSpec {
+  Side hand = Side::left;
+  Vec3 normal = Vec3::UnitX();   ///< of its face at the begin, into the object
+  Vec3 tangent = Vec3::UnitY();  ///< across the normal
+  Pad face;                      ///< semi-axes, rays, rings
+  double friction = 0.8;
+  double foundation_N_m3 = 0.0;   ///< pressure over penetration
+  Vec6 stiffness = Vec6::Zero();  ///< against its proxy [N/m], [N m/rad]
+  Vec6 damping = Vec6::Zero();    ///< [N s/m], [N m s/rad]
+};
+
+class HeldByPads {
+ public:
+  /// Pads stand where their proxies are. @pre the object has mass and inertia
+  HeldByPads(const Scene& scene, std::vector<PadSpec> pads, double step_s, PadSolver solver,
+             const std::array<Pose, kSides>& proxies);
+
+  /// One step; the proxies at its end.
+  void step(const std::array<Pose, kSides>& proxies, const Vec3& gravity_m_s2);
+
+  [[nodiscard]] const Pose& X_WO() const noexcept { return X_WO_; }
+  /// Of each pad on the object in the last step, about the pad's own origin.
+  [[nodiscard]] const std::vector<Wrench>& wrenches() const noexcept { return wrenches_; }
+  [[nodiscard]] const std::vector<PadSpec>& pads() const noexcept { return pads_; }
+  /// All steps so far settled.
+  [[nodiscard]] bool settled() const noexcept { return settled_; }
+
+ private:
+  struct Body {
+    Mat6 inertia;
+    Vec6 velocity_free;
+  };
+  [[nodiscard]] Body object_body(const Vec3& gravity_m_s2) const;
+  [[nodiscard]] Body pad_body(std::size_t pad, const std::array<Pose, kSides>& proxies) const;
+  [[nodiscard]] PadFace face_of(std::size_t pad, const Vec6& object_free,
+                                const Vec6& pad_free) const;
+
+  Scene scene_;
+  std::vector<PadSpec> pads_;
+  double step_s_;
+  PadSolver solver_;
+  std::vector<std::vector<PressedPoint>> points_;  ///< of each face; a share is an area [m^2]
+  std::vector<Pose> X_WP_;                         ///< of the pads
+  std::array<Pose, kSides> proxies_;
+  Pose X_WO_;
+  Vec3 v_W_ = Vec3::Zero();
+  Vec3 w_W_ = Vec3::Zero();
+  std::vector<Wrench> wrenches_;
+  bool settled_ = true;
+  std::optional<PadSolution> last_;  ///< whose forces the next step begins with
+};
+
+}  // namespace isograsp::bimanual

@@ -23,6 +23,24 @@ void World::place_object(const ObjectMotion& motion) noexcept {
   memory_.fill({});
 }
 
+void World::take_object(const ObjectBody& object) noexcept {
+  object_ = RigidObject(object);
+  for (auto& tie : ties_) tie.reset();
+  silent_s_.fill(0.0);
+  for (DigitTouch& touch : touches_) {
+    touch = {};
+    touch.gap_m = kMargin_m;
+  }
+  touched_.fill(false);
+  supported_ = false;
+  memory_.fill({});
+}
+
+void World::set_link_most(double most_N) noexcept {
+  rules_.dynamics.link.most_N = most_N;
+  if (hand_) hand_->set_link_most(most_N);
+}
+
 std::size_t World::hang(const Vec3& p_O, double stiffness_N_m, double damping_N_s_m) noexcept {
   std::size_t number = 0;
   while (led_[number]) ++number;

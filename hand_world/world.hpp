@@ -62,6 +62,13 @@ class World {
   void place_hand(const virtual_hand::HandModel& model,
                   const virtual_hand::HandPose& pose) noexcept;
   void place_object(const ObjectMotion& motion) noexcept;
+  /// Another object takes the place of this one: it stands still at the origin, nothing touches it
+  /// and nothing is tied.
+  void take_object(const ObjectBody& object) noexcept;
+  /// The hand goes through the object as if it were air; ties stay.
+  void let_through(bool through) noexcept { through_ = through; }
+  /// The largest force that drags a link of the hand [N].
+  void set_link_most(double most_N) noexcept;
   void place_ground(const Ground& ground) noexcept { ground_ = ground; }
   /// Pads press from now on. @pre fewer than kPads do
   void add_pad(const FixedPad& pad) noexcept { pads_[pad_count_++] = pad; }
@@ -146,6 +153,7 @@ class World {
   std::array<double, kDigitCount> silent_s_{};
   std::array<DigitTouch, kDigitCount> touches_;
   std::array<bool, kDigitCount> touched_{};
+  bool through_ = false;
   bool supported_ = false;
 
   FactoredArrow matrix_;

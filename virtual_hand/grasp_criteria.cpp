@@ -175,10 +175,9 @@ std::vector<GraspCriteria> criteria_of_sets(std::span<const DigitContact> contac
   return all;
 }
 
-std::optional<BestGrasp> feasible_grasp(std::span<const DigitContact> contacts,
-                                        const HandInSpace& hand, const Pose& X_WO,
-                                        double hand_scale_m, const PadFriction& friction,
-                                        const GraspLimits& limits) {
+GraspChoice feasible_grasp(std::span<const DigitContact> contacts, const HandInSpace& hand,
+                           const Pose& X_WO, double hand_scale_m, const PadFriction& friction,
+                           const GraspLimits& limits) noexcept {
   std::vector<GraspCriteria> sets;
   std::vector<std::vector<Contact>> pads;
   for_each_set(contacts, [&](std::span<const DigitContact> set) {
@@ -186,17 +185,34 @@ std::optional<BestGrasp> feasible_grasp(std::span<const DigitContact> contacts,
     sets.push_back(scaled_criteria(maps, hand_scale_m));
     pads.push_back(std::move(maps.soft));
   });
+  const auto as_choice = [&](const GraspCriteria& set, bool feasible) {
+    const bool three = std::popcount(set.digits) == 3;
+    return GraspChoice{set.digits,
+                       feasible,
+                       set.G.least,
+                       set.H.least,
+                       set.H.product,
+                       three ? limits.G_min_3 : limits.G_min_2,
+                       three ? 0.0 : limits.H_min_2,
+                       three ? limits.H_det_3 : limits.H_det_2};
+  };
+  if (sets.empty()) return {};
+  const GraspCriteria most = *std::max_element(
+      sets.begin(), sets.end(), [](const GraspCriteria& a, const GraspCriteria& b) {
+        return a.H.product * a.G.least < b.H.product * b.G.least;
+      });
   // Force closure costs the most: it is asked of the best set, then of the next.
   GraspLimits algebra = limits;
   algebra.closure = false;
   for (;;) {
     const auto best = best_grasp(sets, algebra);
-    if (!best || !limits.closure) return best;
+    if (!best) return as_choice(most, false);
     const auto at = std::find_if(sets.begin(), sets.end(), [&](const GraspCriteria& set) {
       return set.digits == best->digits;
     });
     const auto k = at - sets.begin();
-    if (force_closure(pads[static_cast<std::size_t>(k)], kAllRows)) return best;
+    if (!limits.closure || force_closure(pads[static_cast<std::size_t>(k)], kAllRows))
+      return as_choice(*at, true);
     sets.erase(at);
     pads.erase(pads.begin() + k);
   }

@@ -64,8 +64,7 @@ GraspObject grasp_object(const StudyObject& object) noexcept {
   return {solid_object(object.shape, density_kg_m3), object.limits};
 }
 
-StartPlace start_place(const StudyObject& object, double table_m, double x_m,
-                       double z_m) noexcept {
+StartPlace start_place(const StudyObject& object, double table_m, double x_m, double z_m) noexcept {
   constexpr double kBlockHalf_m = 0.03;
   StartPlace start;
   start.ground.table_m = table_m;
@@ -173,7 +172,8 @@ void AssistedGrasp::frame(const HandFrame& hand, bool held) noexcept {
 HandTarget AssistedGrasp::led_to(const HandTarget& seen) noexcept {
   const double way_m = (seen.palm.X_W.p - seen_.palm.X_W.p).norm();
   if (lost_ || way_m > kMostTracked_m_s * frame_s_)
-    catch_up_ = {led_, t_s(), std::sqrt(kLeastJerkPeak * furthest(led_, seen) / kCatchUp_m_s2)};
+    catch_up_ =
+        CatchUp{led_, t_s(), std::sqrt(kLeastJerkPeak * furthest(led_, seen) / kCatchUp_m_s2)};
   if (!catch_up_) return seen;
   const double passed_s = t_s() + frame_s_ - catch_up_->since_s;
   if (passed_s >= catch_up_->lasts_s) {
@@ -191,9 +191,25 @@ void AssistedGrasp::step(const HandTarget& target) noexcept {
   const bool ties = level_ != AssistanceLevel::off && !releasing_ && choice_.feasible;
   row.feasible = ties ? choice_.digits : 0;
   assistance_.step(row);
+  if (lets_go_in_part()) assistance_.let_go(t_s());
   world_.tie(assistance_.states(), gains_);
   report_.sweeps = std::max(report_.sweeps, world_.solver_report().sweeps);
   report_.residual_m_s = std::max(report_.residual_m_s, world_.solver_report().residual_m_s);
+}
+
+bool AssistedGrasp::lets_go_in_part() const noexcept {
+  std::array<DigitContact, kDigitCount> left;
+  std::size_t count = 0;
+  bool lets_go = false;
+  for (std::size_t d = 0; d < kDigitCount; ++d) {
+    const auto tie = world_.tie_of(static_cast<Digit>(d));
+    if (!tie) continue;
+    if (assistance_.states()[d] == DigitState::attached)
+      left[count++] = *tie;
+    else
+      lets_go = true;
+  }
+  return lets_go && count > 0 && !closes(std::span(left).first(count), rules_.pad);
 }
 
 bool AssistedGrasp::as_chosen(const Contacts& now) const noexcept {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A tracked hand that grasps one virtual object, with or without help: frames of the tracker in,
-// everything that happens to hand and object out. It owns the world, the virtual hand and what drags
-// it, the search for feasible grasps and the states of the digits (docs/virtual_hand.md, "A grasp,
-// frame by frame"). The same calls give the same bits. SI units, world y up. One thread.
+// everything that happens to hand and object out. It owns the world, the virtual hand and what
+// drags it, the search for feasible grasps and the states of the digits (docs/virtual_hand.md, "A
+// grasp, frame by frame"). The same calls give the same bits. SI units, world y up. One thread.
 //
 // Real-time safe but for the constructor: frame(), place() and all others neither allocate nor
 // throw.
@@ -69,8 +69,8 @@ struct GraspState {
   bool helped = false;     ///< the object was let go for the person
 
   ObjectMotion object;
-  virtual_hand::HandPose hand;                ///< the virtual one: palm and angles
-  std::array<Vec3, kHandJointCount> joints;   ///< of the virtual hand [m]; without one: NaN
+  virtual_hand::HandPose hand;               ///< the virtual one: palm and angles
+  std::array<Vec3, kHandJointCount> joints;  ///< of the virtual hand [m]; without one: NaN
   std::array<DigitGrasp, kDigitCount> digits;
   bool supported = false;  ///< it rests on table or block
   bool held = false;       ///< a digit is tied to it, or two touch it
@@ -85,18 +85,19 @@ class AssistedGrasp {
  public:
   static constexpr double kStep_s = 0.001;  ///< of the world; a frame has as many as fit in it
   /// Where the tracked hand was lost, or its palm jumps faster than a hand moves
-  /// (kMostTracked_m_s), the virtual one is led to it on a path of least jerk, whose acceleration is
-  /// that for which the ties are made.
+  /// (kMostTracked_m_s), the virtual one is led to it on a path of least jerk, whose acceleration
+  /// is that for which the ties are made.
   static constexpr double kCatchUp_m_s2 = virtual_hand::TieDesign{}.acceleration_m_s2;
-  /// Contacts that move so little on the object, or whose normals turn so little, are the same ones:
-  /// the best grasp is not looked for again.
+  /// Contacts that move so little on the object, or whose normals turn so little, are the same
+  /// ones: the best grasp is not looked for again.
   static constexpr double kSamePlace_m = 0.001;
   static constexpr double kSameNormal_rad = 0.05;
 
   /// `frame_s`: between two frames of the session, a whole number of steps.
   AssistedGrasp(const virtual_hand::HandModel& hand, double frame_s, const WorldRules& rules = {});
 
-  /// A placement begins: the object stands still there, nothing is tied, the hand stays where it is.
+  /// A placement begins: the object stands still there, nothing is tied, the hand stays where it
+  /// is.
   void place(const GraspObject& object, const StartPlace& at, AssistanceLevel level) noexcept;
   /// The object of this placement again where it was at first: after a drop.
   void reset() noexcept;
@@ -131,6 +132,8 @@ class AssistedGrasp {
   /// Where the hand is to be led to in the end of a frame that shows it there.
   [[nodiscard]] HandTarget led_to(const HandTarget& seen) noexcept;
   void step(const HandTarget& target) noexcept;
+  /// A digit lets go now, and what the others are tied at does not close without it.
+  [[nodiscard]] bool lets_go_in_part() const noexcept;
   [[nodiscard]] bool as_chosen(const Contacts& now) const noexcept;
   void choose() noexcept;
   void publish() noexcept;

@@ -9,6 +9,20 @@ using virtual_hand::AssistanceRow;
 using virtual_hand::DigitContact;
 using virtual_hand::DigitState;
 
+namespace {
+
+DigitContact as_contact(Digit digit, const TouchPoint& at) noexcept {
+  DigitContact contact;
+  contact.digit = digit;
+  contact.link = at.link;
+  contact.p_OC = at.p_O;
+  const Vec3 tangent = at.normal_O.unitOrthogonal();
+  contact.R_OC << tangent, at.normal_O.cross(tangent), at.normal_O;
+  return contact;
+}
+
+}  // namespace
+
 World::World(const ObjectBody& object, const WorldRules& rules) noexcept
     : rules_(rules), object_(object) {}
 
@@ -119,22 +133,25 @@ void World::tie(const std::array<DigitState, kDigitCount>& states,
 AssistanceRow World::assistance_row(double t_s) const noexcept {
   AssistanceRow row;
   row.t_s = t_s;
-  for (std::size_t d = 0; d < kDigitCount; ++d)
-    row.digits[d] = {touches_[d].contact, ties_[d] ? ties_[d]->pull_N() : 0.0, touches_[d].gap_m};
+  for (std::size_t d = 0; d < kDigitCount; ++d) {
+    const bool contact = touches_[d].contact;
+    double pull_N = 0.0;
+    if (ties_[d]) pull_N = contact ? ties_[d]->pull_N() : ties_[d]->effort_N();
+    row.digits[d] = {contact, pull_N, touches_[d].gap_m};
+  }
   return row;
 }
 
 std::optional<DigitContact> World::contact_of(Digit digit) const noexcept {
   const DigitTouch& touch = touches_[index_of(digit)];
   if (!touch.contact) return std::nullopt;
-  DigitContact contact;
-  contact.digit = digit;
-  contact.link = touch.at.link;
-  contact.p_OC = touch.at.p_O;
-  const Vec3& normal = touch.at.normal_O;
-  const Vec3 tangent = normal.unitOrthogonal();
-  contact.R_OC << tangent, normal.cross(tangent), normal;
-  return contact;
+  return as_contact(digit, touch.at);
+}
+
+std::optional<DigitContact> World::tie_of(Digit digit) const noexcept {
+  const auto& tie = ties_[index_of(digit)];
+  if (!tie) return std::nullopt;
+  return as_contact(digit, tie->at());
 }
 
 }  // namespace isograsp::hand_world

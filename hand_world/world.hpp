@@ -95,9 +95,12 @@ class World {
     return touches_;
   }
   [[nodiscard]] bool tied(Digit digit) const noexcept { return ties_[index_of(digit)].has_value(); }
+  /// Where a digit is tied to the object; nothing: it is not.
+  [[nodiscard]] std::optional<virtual_hand::DigitContact> tie_of(Digit digit) const noexcept;
   /// It rests on table or block.
   [[nodiscard]] bool supported() const noexcept { return supported_; }
-  /// Row of the assistance at a time, without its feasible grasp.
+  /// Row of the assistance at a time, without its feasible grasp. The pull of a digit that touches
+  /// is the effort of its spring along the outward normal; of one that does not the whole effort.
   [[nodiscard]] virtual_hand::AssistanceRow assistance_row(double t_s) const noexcept;
   /// Where a digit touches, for the criteria; nothing: it does not.
   [[nodiscard]] std::optional<virtual_hand::DigitContact> contact_of(Digit digit) const noexcept;

@@ -89,8 +89,9 @@ struct BestGrasp {
 
 /// The best grasp of the digits that touch, and how it stands against what it must exceed.
 struct GraspChoice {
-  DigitSet digits = 0;    ///< 0: fewer than two digits touch
-  bool feasible = false;  ///< it is best_grasp(); else: of all sets the one with the largest product
+  DigitSet digits = 0;  ///< 0: fewer than two digits touch
+  bool feasible =
+      false;  ///< it is best_grasp(); else: of all sets the one with the largest product
   double G_min = 0.0;
   double H_min = 0.0;
   double H_det = 0.0;
@@ -104,5 +105,10 @@ struct GraspChoice {
                                          const HandInSpace& hand, const Pose& X_WO,
                                          double hand_scale_m, const PadFriction& friction,
                                          const GraspLimits& limits) noexcept;
+
+/// Force closure of two to five contacts of different digits (closes() of contact_maps.hpp).
+/// Real-time safe. @pre friction.friction > 0
+[[nodiscard]] bool closes(std::span<const DigitContact> contacts,
+                          const PadFriction& friction) noexcept;
 
 }  // namespace isograsp::virtual_hand

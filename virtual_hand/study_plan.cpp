@@ -119,4 +119,15 @@ std::vector<StudyTest> study_plan(std::uint64_t seed) {
   return plan;
 }
 
+std::vector<StudyTest> tests_of(std::size_t object, bool assistance, int count,
+                                std::uint64_t seed) {
+  std::vector<StudyTest> tests;
+  for (std::uint64_t plan = seed; tests.size() < static_cast<std::size_t>(count); ++plan)
+    for (const StudyTest& test : study_plan(plan))
+      if (test.object == object && test.assistance == assistance &&
+          tests.size() < static_cast<std::size_t>(count))
+        tests.push_back(test);
+  return tests;
+}
+
 }  // namespace isograsp::virtual_hand

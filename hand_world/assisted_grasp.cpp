@@ -40,12 +40,6 @@ bool same_contact(const std::optional<DigitContact>& a,
 
 }  // namespace
 
-std::optional<AssistanceLevel> assistance_level(std::string_view name) noexcept {
-  for (std::size_t k = 0; k < kAssistanceLevelNames.size(); ++k)
-    if (kAssistanceLevelNames[k] == name) return static_cast<AssistanceLevel>(k);
-  return std::nullopt;
-}
-
 TieGains tie_gains(AssistanceLevel level, double mass_kg, const WorldRules& rules) noexcept {
   TieDesign design;
   design.mass_kg = mass_kg;

@@ -11,26 +11,18 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <string_view>
 
 #include "hand_world/tracked_target.hpp"
 #include "hand_world/world.hpp"
+#include "virtual_hand/assistance_level.hpp"
 #include "virtual_hand/grasp_criteria.hpp"
 #include "virtual_hand/study_plan.hpp"
 
 namespace isograsp::hand_world {
 
-/// How much a grasp is helped; stands with every placement and changes between placements only.
-enum class AssistanceLevel : std::uint8_t {
-  full,    ///< ties as in the source
-  softer,  ///< ties of half the stiffness, which let go at half the effort
-  off      ///< contacts and friction alone
-};
-inline constexpr std::array<std::string_view, 3> kAssistanceLevelNames{"full", "softer", "off"};
-[[nodiscard]] constexpr std::string_view name_of(AssistanceLevel level) noexcept {
-  return kAssistanceLevelNames[static_cast<std::size_t>(level)];
-}
-[[nodiscard]] std::optional<AssistanceLevel> assistance_level(std::string_view name) noexcept;
+using virtual_hand::assistance_level;
+using virtual_hand::AssistanceLevel;
+
 /// Ties of an object of this mass; of `off`: those of `full`, which nothing uses.
 [[nodiscard]] virtual_hand::TieGains tie_gains(AssistanceLevel level, double mass_kg,
                                                const WorldRules& rules) noexcept;

@@ -23,6 +23,11 @@ struct ArmPostures {
   std::string text;  ///< the file of the postures as it is; of an own range what it is of
 };
 
+/// Virtual objects that a hand is asked to place: in a bout, then it rests, and in a session.
+inline constexpr int kMostOfBout = 6;
+inline constexpr int kMostPlacements = 24;
+inline constexpr double kBetweenBouts_s = 60.0;
+
 /// What a task may depend on besides its file; stored with the trial.
 struct TaskContext {
   double period_s = 0.01;  ///< of the frame grid
@@ -30,6 +35,8 @@ struct TaskContext {
   ForceReferences references;
   std::vector<OwnRange> ranges;    ///< of the links of this arm, measured in this session
   std::optional<ArmPostures> arm;  ///< of a task that names postures
+  /// Virtual objects that this hand may still be asked to place in this session.
+  int placements_left = kMostPlacements;
 };
 
 class Task {

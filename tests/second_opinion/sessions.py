@@ -12,7 +12,9 @@ free_handling""".split()
 ARM = """arm_familiarisation arm_follow arm_follow_half arm_range_deviation arm_range_flexion arm_range_forearm arm_own_range arm_screw arm_screw_half
 arm_wrist""".split()
 NOT_RUN = {"grip_sine_fixed": "needs maxima of two days; force_tracking is compared in 20 other tasks",
-           "arm_drinking": "of another rig; drinking is compared in signals made by hand"}
+           "arm_drinking": "of another rig; drinking is compared in signals made by hand"} | {
+               task: "of a tracked hand, whose kinds are compared in signals made by hand"
+               for task in ("hand_opening", "virtual_place", "virtual_place_first", "virtual_place_training")}
 ADAPTIVE = ("grip_sine_training", "two_target_training")  # their level stands in [chosen]
 
 OWN = {

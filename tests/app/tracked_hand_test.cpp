@@ -103,10 +103,12 @@ TEST(TrackedHandApp, ARecordingIsPlayedAsItWas) {
 TEST(TrackedHandApp, ASimulatedUserPlacesObjectsInVirtualTime) {
   const TemporaryFolder folder;
   const std::string database = folder.path("clinic.db");
-  const auto done =
-      isograsp("run --device 'sim://hand?user=healthy&seed=3' --protocol-file " ISOGRASP_SOURCE_DIR
-               "/library/protocols/hand_training.toml --db " +
-               database + " --patient H-1 --fast");
+  const std::string protocol = folder.write(
+      "first.toml",
+      "format = \"isograsp-protocol-1\"\nname = \"First\"\n[[step]]\nkind = \"hand_entry\"\n"
+      "[[step]]\nkind = \"task\"\ntask = \"virtual_place_first.toml\"\npractice = true\n");
+  const auto done = isograsp("run --device 'sim://hand?user=healthy&seed=3' --protocol-file " +
+                             protocol + " --db " + database + " --patient H-1 --fast");
   ASSERT_EQ(done.status, 0) << done.err;
   EXPECT_NE(done.out.find("placements_completed (full)"), std::string::npos) << done.out;
   expect_verified(database);

@@ -2,6 +2,7 @@
 #include "exports/export_source.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/date.hpp"
 #include "exports/link_angles.hpp"
@@ -12,6 +13,11 @@
 namespace isograsp::exports {
 
 namespace {
+
+/// Where the joints of a tracked hand are (session/tracked_hand/hand_trial).
+constexpr std::string_view kJointGroup = "joints";
+/// How the calibration of a session with one begins.
+constexpr std::string_view kTrackedHand = "format = \"isograsp-tracker-1\"";
 
 /// The day of "2026-03-01" or "2026-03-01T…".
 std::optional<Date> day_of(const std::string& iso) {
@@ -31,13 +37,37 @@ storage::SessionRecord without_identity(const storage::SessionRecord& session, b
   safe.started_utc.clear();
   safe.ended_utc.clear();
   // The name of a recording's file may name a person, so it is not exported.
-  if (safe.recorded) safe.device_description = tracked ? "Recorded markers" : "Recorded forces";
+  const bool hand = session.calibration.starts_with(kTrackedHand);
+  if (safe.recorded)
+    safe.device_description = hand      ? "Recorded hands"
+                              : tracked ? "Recorded markers"
+                                        : "Recorded forces";
   safe.device_uri = session.device_uri.substr(0, session.device_uri.find(':'));
   safe.provenance.clear();
   safe.protocol_text.clear();
   safe.sensors.clear();
   safe.operator_name.clear();
   return safe;
+}
+
+/// Positions of joints carry the geometry of a hand, which is a measure of the body: they leave
+/// only where research was agreed to; the length of a hand leaves to 10 mm.
+void keep_body_to_oneself(bool research_agreed, ExportTrial& exported) {
+  constexpr double kPerCoarse = 100.0;  // 10 mm
+  auto& references = exported.trial.references;
+  if (const auto length = references.find("hand_length_m"); length != references.end())
+    length->second = std::round(length->second * kPerCoarse) / kPerCoarse;
+  if (research_agreed) return;
+  auto& groups = exported.trial.groups;
+  if (std::erase_if(groups, [](const auto& group) { return group.name == kJointGroup; }) == 0)
+    return;
+  Signals kept;
+  for (const storage::SignalGroup& group : groups)
+    for (const std::string& name : group.columns) {
+      const auto values = exported.signals.column(name);
+      kept.add_column(name, {values.begin(), values.end()});
+    }
+  exported.signals = std::move(kept);
 }
 
 storage::PreparationRecord without_time(storage::PreparationRecord record) {
@@ -153,6 +183,9 @@ Result<ExportTrial> load_trial(storage::SessionStore& store, const ExportSource&
   auto signals = store.signals(*source.trial);
   if (!signals) return signals.error();
   exported.signals = *std::move(signals);
+  const auto research = store.consent_state(source.patient->id, "research");
+  if (!research) return research.error();
+  keep_body_to_oneself(source.session->simulated || *research == "given", exported);
   add_forces_of_the_hand(exported);
   add_link_angles(exported);
 

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "hand/arm_columns.hpp"
+#include "hand/hand_columns.hpp"
 
 namespace isograsp::columns {
 
@@ -47,7 +48,13 @@ const Column* find(std::string_view name) {
       target_attitude, actual_attitude, target_angle_rad, actual_angle_rad, object_velocity,
       object_angular_velocity, object_force, object_torque, contact, slip, utilisation,
       model_error_rad, model_inexact, segment_pose, link_angle, reference_position,
-      reference_attitude, matched, lateness_s, compute_s);
+      reference_attitude, matched, pause_cause, confidence, unseen_s, palm_position, palm_attitude,
+      thumb_index_gap_m, abduction, flexion, fit_residual_m, hand_joint, placement, study_object,
+      assistance, eased, placement_fails, let_go_asked, object_helped, object_held, object_touched,
+      object_supported, grasp_state, pull_N, touch_N, gap_m, release_pull_N, grasp_digits,
+      grasp_feasible, grasp_G_min, grasp_H_min, grasp_H_det, grasp_G_min_limit, grasp_H_min_limit,
+      grasp_H_det_limit, tracked_gap_m, solver_sweeps, solver_residual_mps, virtual_palm_position,
+      virtual_palm_attitude, virtual_angle, lateness_s, compute_s);
   return kAll.find(name);
 }
 

@@ -85,7 +85,9 @@ inline constexpr Column display_delay_s =
     plain("display_delay_s", "Delay of the patient's display; empty: not measured"_text);
 inline constexpr Column segment = plain("segment", "Part of the task's timeline, from 0"_text);
 inline constexpr Column cue = plain(
-    "cue", "0 hand out, 1 relax, 2 squeeze, 3 press, 4 follow, 5 reproduce, 6 let go, 7 move"_text);
+    "cue",
+    "0 hand out, 1 relax, 2 squeeze, 3 press, 4 follow, 5 reproduce, 6 let go, 7 move, 8 open the "
+    "hand, 9 close it"_text);
 inline constexpr Column channel_digits =
     plain("channel_digits", "0 grip, 1 grip_mean, 2 pinch, 3 sum, 4 thumb, 5 index, 6 middle"_text);
 inline constexpr Column channel_direction =

@@ -19,12 +19,15 @@ enum class Cue : std::uint8_t {
   follow,     ///< follow the force target, or hold it where the own force is not shown
   reproduce,  ///< the force held before, from memory
   let_go,     ///< now, as fast as you can
-  move        ///< bring the object to the target
+  move,       ///< bring the object to the target
+  open,       ///< the hand, as far as it goes
+  close       ///< the hand, as far as it goes
 };
-inline constexpr std::size_t kCueCount = 8;
+inline constexpr std::size_t kCueCount = 10;
 [[nodiscard]] constexpr std::string_view name_of(Cue cue) noexcept {
   constexpr std::array<std::string_view, kCueCount> kNames{
-      "hand out", "relax", "squeeze", "press", "follow", "reproduce", "let go", "move"};
+      "hand out",  "relax",  "squeeze", "press", "follow",
+      "reproduce", "let go", "move",    "open",  "close"};
   return kNames[static_cast<std::size_t>(cue)];
 }
 

@@ -55,6 +55,17 @@ struct ShownAngle {
   double largest_rad = 0.0;
 };
 
+/// An object that exists on the screen alone, as it is drawn: its shape, and what its colour says.
+struct ShownObject {
+  enum class Shape : std::uint8_t {
+    box,
+    cylinder  ///< along z of the object
+  };
+  Shape shape = Shape::box;
+  Vec3 size_m = Vec3::Zero();  ///< edges; of a cylinder diameter, diameter, length
+  bool let_go = false;         ///< purple: it was placed, and the hand is to open
+};
+
 /// One picture of the patient's screen.
 struct Stimulus {
   double t_s = 0.0;              ///< session time of the picture [s]
@@ -70,6 +81,7 @@ struct Stimulus {
   /// Own force of the digits that one is asked of, contact frames [N].
   std::array<Vec3, kFingerCount> digit_force_C{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   bool object_shown = false;  ///< the object and what follows are on the screen
+  std::optional<ShownObject> virtual_object;  ///< a hand is to grasp it; nothing: another object
   ObjectSight sight = ObjectSight::unknown;
   Pose X_WO;                   ///< of a real object that is out of sight: where it was seen last
   Vec3 v_WO_W = Vec3::Zero();  ///< [m/s]; used to draw it where it is now

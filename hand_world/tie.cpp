@@ -84,6 +84,7 @@ void Tie::settle(const ArrowVector& change, double step_s) noexcept {
   const Vec3 force_W =
       force_W_ + (gains_.damping_N_s_m + 0.5 * step_s * gains_.stiffness_N_m) * change_of(change);
   pull_N_ = -force_W.dot(normal_W_);
+  effort_N_ = force_W.norm();
 }
 
 }  // namespace isograsp::hand_world

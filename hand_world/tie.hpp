@@ -42,6 +42,9 @@ class Tie {
   void settle(const ArrowVector& change, double step_s) noexcept;
   /// Effort of the spring along the outward normal in the middle of the last step [N].
   [[nodiscard]] double pull_N() const noexcept { return pull_N_; }
+  /// Effort of the spring in the middle of the last step, whichever way it points [N].
+  [[nodiscard]] double effort_N() const noexcept { return effort_N_; }
+  [[nodiscard]] const TouchPoint& at() const noexcept { return at_; }
   static constexpr int kLed = -1;
 
  private:
@@ -58,6 +61,7 @@ class Tie {
   Vec3 force_W_ = Vec3::Zero();  ///< on the object
   Vec3 normal_W_ = Vec3::UnitZ();
   double pull_N_ = 0.0;
+  double effort_N_ = 0.0;
 };
 
 }  // namespace isograsp::hand_world

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Frames of a tracker become what drags the virtual hand: links where the joints are, linearly
-// between two frames and one frame late (docs/virtual_hand.md, "Coupling"). SI units.
+// between two frames (docs/virtual_hand.md, "Coupling"). SI units.
 #pragma once
 
-#include <array>
 #include <optional>
 
 #include "hand_world/hand_body.hpp"
@@ -15,32 +14,15 @@ namespace isograsp::hand_world {
 [[nodiscard]] std::optional<HandTarget> target_of_frame(const virtual_hand::HandModel& model,
                                                         const HandFrame& frame) noexcept;
 
-/// Real-time safe.
-class TrackedTarget {
- public:
-  static constexpr double kMost_m_s = 2.0;  ///< velocities above are a tracker's jumps
-  static constexpr double kMost_rad_s = 20.0;
+/// Velocities above these are a tracker's jumps.
+inline constexpr double kMostTracked_m_s = 2.0;
+inline constexpr double kMostTracked_rad_s = 20.0;
 
-  /// `period_s`: nominal, between two frames; the target is late by so much.
-  explicit TrackedTarget(double period_s) noexcept : period_s_(period_s) {}
-
-  /// A frame. False: its time is not later than that of the last one, and it does not count.
-  bool add(double t_s, const HandTarget& target) noexcept;
-  /// Forgets all frames: after a gap the hand begins anew.
-  void clear() noexcept { count_ = 0; }
-  /// The target at a time; stands still before the first frame and behind the last one. Nothing:
-  /// there is no frame.
-  [[nodiscard]] std::optional<HandTarget> at(double t_s) const noexcept;
-
- private:
-  struct Frame {
-    double t_s = 0.0;
-    HandTarget target;
-  };
-  static constexpr std::size_t kKept = 4;  ///< two frames and their jitter
-  double period_s_;
-  std::array<Frame, kKept> frames_;  ///< the newest is the last of count_
-  std::size_t count_ = 0;
-};
+/// The way from one target to another that takes `span_s`: poses linearly, `share` of it gone,
+/// turns about one axis; velocities are its slope, no larger than the limits above. Real-time safe.
+[[nodiscard]] HandTarget between_targets(const HandTarget& from, const HandTarget& to, double share,
+                                         double span_s) noexcept;
+/// The largest distance between middles of palm and links [m]. Real-time safe.
+[[nodiscard]] double furthest(const HandTarget& from, const HandTarget& to) noexcept;
 
 }  // namespace isograsp::hand_world

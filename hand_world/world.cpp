@@ -9,6 +9,20 @@ using virtual_hand::AssistanceRow;
 using virtual_hand::DigitContact;
 using virtual_hand::DigitState;
 
+namespace {
+
+DigitContact as_contact(Digit digit, const TouchPoint& at) noexcept {
+  DigitContact contact;
+  contact.digit = digit;
+  contact.link = at.link;
+  contact.p_OC = at.p_O;
+  const Vec3 tangent = at.normal_O.unitOrthogonal();
+  contact.R_OC << tangent, at.normal_O.cross(tangent), at.normal_O;
+  return contact;
+}
+
+}  // namespace
+
 World::World(const ObjectBody& object, const WorldRules& rules) noexcept
     : rules_(rules), object_(object) {}
 
@@ -21,6 +35,24 @@ void World::place_hand(const virtual_hand::HandModel& model,
 void World::place_object(const ObjectMotion& motion) noexcept {
   object_.place(motion);
   memory_.fill({});
+}
+
+void World::take_object(const ObjectBody& object) noexcept {
+  object_ = RigidObject(object);
+  for (auto& tie : ties_) tie.reset();
+  silent_s_.fill(0.0);
+  for (DigitTouch& touch : touches_) {
+    touch = {};
+    touch.gap_m = kMargin_m;
+  }
+  touched_.fill(false);
+  supported_ = false;
+  memory_.fill({});
+}
+
+void World::set_link_most(double most_N) noexcept {
+  rules_.dynamics.link.most_N = most_N;
+  if (hand_) hand_->set_link_most(most_N);
 }
 
 std::size_t World::hang(const Vec3& p_O, double stiffness_N_m, double damping_N_s_m) noexcept {
@@ -101,22 +133,25 @@ void World::tie(const std::array<DigitState, kDigitCount>& states,
 AssistanceRow World::assistance_row(double t_s) const noexcept {
   AssistanceRow row;
   row.t_s = t_s;
-  for (std::size_t d = 0; d < kDigitCount; ++d)
-    row.digits[d] = {touches_[d].contact, ties_[d] ? ties_[d]->pull_N() : 0.0, touches_[d].gap_m};
+  for (std::size_t d = 0; d < kDigitCount; ++d) {
+    const bool contact = touches_[d].contact;
+    double pull_N = 0.0;
+    if (ties_[d]) pull_N = contact ? ties_[d]->pull_N() : ties_[d]->effort_N();
+    row.digits[d] = {contact, pull_N, touches_[d].gap_m};
+  }
   return row;
 }
 
 std::optional<DigitContact> World::contact_of(Digit digit) const noexcept {
   const DigitTouch& touch = touches_[index_of(digit)];
   if (!touch.contact) return std::nullopt;
-  DigitContact contact;
-  contact.digit = digit;
-  contact.link = touch.at.link;
-  contact.p_OC = touch.at.p_O;
-  const Vec3& normal = touch.at.normal_O;
-  const Vec3 tangent = normal.unitOrthogonal();
-  contact.R_OC << tangent, normal.cross(tangent), normal;
-  return contact;
+  return as_contact(digit, touch.at);
+}
+
+std::optional<DigitContact> World::tie_of(Digit digit) const noexcept {
+  const auto& tie = ties_[index_of(digit)];
+  if (!tie) return std::nullopt;
+  return as_contact(digit, tie->at());
 }
 
 }  // namespace isograsp::hand_world

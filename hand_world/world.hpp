@@ -62,6 +62,13 @@ class World {
   void place_hand(const virtual_hand::HandModel& model,
                   const virtual_hand::HandPose& pose) noexcept;
   void place_object(const ObjectMotion& motion) noexcept;
+  /// Another object takes the place of this one: it stands still at the origin, nothing touches it
+  /// and nothing is tied.
+  void take_object(const ObjectBody& object) noexcept;
+  /// The hand goes through the object as if it were air; ties stay.
+  void let_through(bool through) noexcept { through_ = through; }
+  /// The largest force that drags a link of the hand [N].
+  void set_link_most(double most_N) noexcept;
   void place_ground(const Ground& ground) noexcept { ground_ = ground; }
   /// Pads press from now on. @pre fewer than kPads do
   void add_pad(const FixedPad& pad) noexcept { pads_[pad_count_++] = pad; }
@@ -88,9 +95,12 @@ class World {
     return touches_;
   }
   [[nodiscard]] bool tied(Digit digit) const noexcept { return ties_[index_of(digit)].has_value(); }
+  /// Where a digit is tied to the object; nothing: it is not.
+  [[nodiscard]] std::optional<virtual_hand::DigitContact> tie_of(Digit digit) const noexcept;
   /// It rests on table or block.
   [[nodiscard]] bool supported() const noexcept { return supported_; }
-  /// Row of the assistance at a time, without its feasible grasp.
+  /// Row of the assistance at a time, without its feasible grasp. The pull of a digit that touches
+  /// is the effort of its spring along the outward normal; of one that does not the whole effort.
   [[nodiscard]] virtual_hand::AssistanceRow assistance_row(double t_s) const noexcept;
   /// Where a digit touches, for the criteria; nothing: it does not.
   [[nodiscard]] std::optional<virtual_hand::DigitContact> contact_of(Digit digit) const noexcept;
@@ -146,6 +156,7 @@ class World {
   std::array<double, kDigitCount> silent_s_{};
   std::array<DigitTouch, kDigitCount> touches_;
   std::array<bool, kDigitCount> touched_{};
+  bool through_ = false;
   bool supported_ = false;
 
   FactoredArrow matrix_;

@@ -82,6 +82,7 @@ void World::find_hand_contacts(const Pose& X_WO, const ArrowVector& now, double 
     touch.normal_N = 0.0;
     touch.gap_m = kMargin_m;
   }
+  if (through_) return;
   std::array<Near, kHandParts> near;
   std::size_t count = 0;
   const auto look = [&](std::size_t part, const Vec3& a_W, const Vec3& b_W, double radius_m) {

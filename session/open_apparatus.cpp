@@ -7,8 +7,10 @@
 #include "device/sensors/force_device.hpp"
 #include "session/arm/marker_arm.hpp"
 #include "session/open_arm.hpp"
+#include "session/open_hand.hpp"
 #include "session/platform/force_platform.hpp"
 #include "session/simulated_person.hpp"
+#include "session/tracked_hand/tracked_hand.hpp"
 
 namespace isograsp::session {
 
@@ -30,17 +32,23 @@ Result<std::unique_ptr<Apparatus>> open_platform(const ApparatusRequest& request
       PlatformOptions{request.hand, request.library, request.display_delay_s}));
 }
 
-constexpr std::array<ApparatusRow, 5> kRows{{{"qtm", "", "", open_arm, MarkerArm::kKind},
-                                             {"natnet", "", "", open_arm, MarkerArm::kKind},
-                                             {"sim", "arm", "", open_arm, MarkerArm::kKind},
-                                             {"replay", "", "rig", open_arm, MarkerArm::kKind},
-                                             {"", "", "", open_platform, ForcePlatform::kKind}}};
+constexpr std::array<ApparatusRow, 9> kRows{
+    {{"qtm", "", "", open_arm, MarkerArm::kKind},
+     {"natnet", "", "", open_arm, MarkerArm::kKind},
+     {"sim", "arm", "", open_arm, MarkerArm::kKind},
+     {"replay", "", "rig", open_arm, MarkerArm::kKind},
+     {"leap", "", "", open_hand, TrackedHand::kKind},
+     {"udp-hand", "", "", open_hand, TrackedHand::kKind},
+     {"sim", "hand", "", open_hand, TrackedHand::kKind},
+     {"replay", "", "", open_hand, TrackedHand::kKind, is_recorded_hand},
+     {"", "", "", open_platform, ForcePlatform::kKind}}};
 
 const ApparatusRow& row_for(const Uri& uri, std::span<const ApparatusRow> rows) {
   return *std::find_if(rows.begin(), rows.end(), [&](const ApparatusRow& one) {
     return (one.scheme.empty() || one.scheme == uri.scheme) &&
            (one.target.empty() || one.target == uri.target) &&
-           (one.parameter.empty() || uri.parameters.contains(std::string(one.parameter)));
+           (one.parameter.empty() || uri.parameters.contains(std::string(one.parameter))) &&
+           (one.fits == nullptr || one.fits(uri));
   });
 }
 

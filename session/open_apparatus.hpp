@@ -32,6 +32,7 @@ struct ApparatusRow {
   std::string_view parameter;  ///< that it must have: "rig" of replay://FILE?rig=; empty: none
   Result<std::unique_ptr<Apparatus>> (*open)(const ApparatusRequest& request) = nullptr;
   std::string_view kind = {};  ///< ApparatusInfo::kind of what it opens; empty: not known before
+  bool (*fits)(const Uri& uri) = nullptr;  ///< looks at what the URI names; null: no need
 };
 /// The table: every apparatus that this program knows; the last row takes all that is left.
 [[nodiscard]] std::span<const ApparatusRow> all_apparatuses() noexcept;

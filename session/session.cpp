@@ -7,8 +7,10 @@
 #include <thread>
 
 #include "session/library/arm_rules.hpp"
+#include "session/library/hand_rules.hpp"
 #include "session/resting.hpp"
 #include "session/session_parts.hpp"
+#include "session/tracked_hand/tracked_hand.hpp"
 
 namespace isograsp::session {
 
@@ -70,8 +72,10 @@ Result<void> Session::start_trial(const tasks::TaskSpec& spec, bool practice,
                   "wait another %1 s"_text(std::lround(std::ceil(wait_s))));
   if (auto ready = p.apparatus->ready(); !ready) return ready;
   if (auto fits = check_apparatus(spec.apparatus(), p.known.apparatus); !fits) return fits;
-  if (!practice)
+  if (!practice) {
     if (auto assessed = check_assessment(spec); !assessed) return assessed;
+    if (auto assessed = check_hand_assessment(spec); !assessed) return assessed;
+  }
   auto prepared = p.apparatus->make_trial(spec, p.known.next_context());
   if (!prepared) return prepared.error();
   auto setup = *std::move(prepared);
@@ -214,6 +218,13 @@ bool Session::is_to_stop() const noexcept {
 const ArmSnapshot* arm_of(Session& session) noexcept {
   // What an arm publishes is one (MarkerArm::newest).
   return session.known().arm ? static_cast<const ArmSnapshot*>(&session.moment()) : nullptr;
+}
+
+const HandSnapshot* hand_of(Session& session) noexcept {
+  // What a tracked hand publishes is one (TrackedHand::newest).
+  return session.known().apparatus.kind == TrackedHand::kKind
+             ? static_cast<const HandSnapshot*>(&session.moment())
+             : nullptr;
 }
 
 }  // namespace isograsp::session

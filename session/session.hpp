@@ -30,6 +30,8 @@
 
 namespace isograsp::session {
 
+struct HandSnapshot;  // session/tracked_hand/hand_snapshot.hpp
+
 /// What glibc's libm may choose its code by; stored beside results (docs/storage.md).
 [[nodiscard]] std::string cpu_features();
 
@@ -185,5 +187,7 @@ class Session {
 /// Newest state with all that is known of an arm seen by markers; null: it is something else.
 /// Wait-free. Owner thread.
 [[nodiscard]] const ArmSnapshot* arm_of(Session& session) noexcept;
+/// The same of a tracked hand.
+[[nodiscard]] const HandSnapshot* hand_of(Session& session) noexcept;
 
 }  // namespace isograsp::session

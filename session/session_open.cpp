@@ -2,12 +2,14 @@
 // How a session begins: device, clock, database, in an order in which a refusal leaves no trace.
 #include <algorithm>
 #include <ctime>
+#include <filesystem>
 
 #include "core/time.hpp"
 #include "device/config/uri.hpp"
 #include "session/arm/marker_arm.hpp"
 #include "session/arm/passive_range.hpp"
 #include "session/session_parts.hpp"
+#include "session/tracked_hand/tracked_hand.hpp"
 #include "storage/access/open_store.hpp"
 #include "storage/crypto/content_hash.hpp"
 #include "storage/records/patient_code.hpp"
@@ -39,6 +41,33 @@ std::string joined_lines(const std::vector<std::string>& lines) {
   std::string text;
   for (const auto& line : lines) text += line + "\n";
   return text;
+}
+
+/// The newest entry test of the other hand.
+Result<std::optional<storage::PreparationRecord>> other_hand(storage::SessionStore& store,
+                                                             storage::RowId patient, Hand side) {
+  const auto sessions = store.sessions(patient);
+  if (!sessions) return sessions.error();
+  std::optional<storage::PreparationRecord> newest;
+  for (const storage::SessionRecord& session : *sessions) {
+    if (!session.hand || *session.hand == side) continue;
+    const auto all = store.preparations(session.id);
+    if (!all) return all.error();
+    for (const storage::PreparationRecord& one : *all)
+      if (one.kind == kHandEntry) newest = one;
+  }
+  return newest;
+}
+
+/// What a tracked hand must know of its person: the size of the other hand, and whether its joints
+/// may be kept. Nobody's are those of a simulated hand.
+Result<void> tell_of_person(TrackedHand& hand, storage::SessionStore& store,
+                            storage::RowId patient) {
+  const auto other = other_hand(store, patient, hand.side());
+  if (!other) return other.error();
+  const auto research = store.consent_state(patient, "research");
+  if (!research) return research.error();
+  return hand.know_person(*other, hand.info().simulated || *research == "given");
 }
 
 /// Of an apparatus that is no platform: what it has of such a device.
@@ -73,6 +102,7 @@ struct Session::Opening {
   // Nothing is written.
   Result<void> check_request();
   Result<void> open_device();
+  Result<void> check_basis();
   Result<void> start_device();
   // The file is made if it is absent, and the patient if new.
   Result<void> open_file();
@@ -91,9 +121,10 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
   parts->config = config;
   Opening opening{config, *parts, {}, {}, {}, {}, {}, config.answers};
   for (const auto step :
-       {&Opening::check_request, &Opening::open_device, &Opening::start_device, &Opening::open_file,
-        &Opening::find_patient, &Opening::describe_session, &Opening::read_what_is_known,
-        &Opening::take_up_earlier_work, &Opening::set_references, &Opening::write_session})
+       {&Opening::check_request, &Opening::open_device, &Opening::check_basis,
+        &Opening::start_device, &Opening::open_file, &Opening::find_patient,
+        &Opening::describe_session, &Opening::read_what_is_known, &Opening::take_up_earlier_work,
+        &Opening::set_references, &Opening::write_session})
     if (auto done = (opening.*step)(); !done) return done.error();
   opening.start_recording();
   return std::unique_ptr<Session>(new Session(std::move(parts)));
@@ -131,6 +162,29 @@ Result<void> Session::Opening::open_device() {
     return refused("a real device cannot run in virtual time"_text, "leave out --fast"_text)
         .at(uri.text);
   return {};
+}
+
+/// No camera is opened on a person of whom no lawful basis is on record.
+Result<void> Session::Opening::check_basis() {
+  if (!parts.apparatus->info().watches_person) return {};
+  const auto none = [this] {
+    return refused("no lawful basis is on record for a camera that sees this person"_text,
+                   "record it first: isograsp db consent add … --purpose treatment"_text)
+        .at(config.database)
+        .about("consent");
+  };
+  if (config.create_database && !std::filesystem::exists(config.database)) return none();
+  auto file = storage::open_store(config.database, storage::OpenMode::existing);
+  if (!file) return file.error();
+  const auto person = (*file)->find_patient(config.patient_code);
+  if (!person) return person.error();
+  if (!*person) return none();
+  for (const char* purpose : {"treatment", "research"}) {
+    const auto state = (*file)->consent_state((*person)->id, purpose);
+    if (!state) return state.error();
+    if (*state == "given") return {};
+  }
+  return none();
 }
 
 /// Real sensors tell who they are only when they are started; if they do not answer, or if real
@@ -225,6 +279,8 @@ Result<void> Session::Opening::read_what_is_known() {
   auto training = Training::read(*store, record());
   if (!training) return training.error();
   parts.known.training = *std::move(training);
+  if (auto* hand = dynamic_cast<TrackedHand*>(parts.apparatus.get()))
+    return tell_of_person(*hand, *store, patient.id);
   return {};
 }
 

@@ -136,6 +136,7 @@ struct KindFacts {
   bool unforeseen_waits = false;  ///< before what is asked: the screen must not tell them
   bool path_drawn = false;        ///< the report draws the object's path past its targets
   bool unseen_goes_on = false;    ///< what cameras do not see for a while stops nothing
+  bool research = false;          ///< all it measures is of research: no report of a patient has it
   bool carries = false;           ///< the object is taken, brought to a place and let go there
 };
 

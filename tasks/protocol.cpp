@@ -57,7 +57,7 @@ void read_bouts(TomlReader& table, ProtocolStep& step) {
 ProtocolStep read_step(TomlReader& table) {
   ProtocolStep step;
   step.kind = static_cast<ProtocolStep::Kind>(
-      table.choice("kind", {"instrument_zero", "task", "pause", "start_posture"}));
+      table.choice("kind", {"instrument_zero", "task", "pause", "start_posture", "hand_entry"}));
   if (step.kind == ProtocolStep::Kind::pause) {
     step.duration_s = read_duration(table, "duration_s", 0.0);
     if (!table.has("duration_s")) table.fail("duration_s", "is missing"_text, "add it"_text);

@@ -38,12 +38,13 @@ struct ProtocolStep {
   enum class Kind : std::uint8_t {
     instrument_zero,  ///< device empty
     task,
-    pause,         ///< nothing is asked
-    start_posture  ///< the arm is held still: references are adapted to its size
+    pause,          ///< nothing is asked
+    start_posture,  ///< the arm is held still: references are adapted to its size
+    hand_entry      ///< the tracked hand at rest, then opened and closed
   };
   /// Something is measured before the work, of which the apparatus knows what.
   [[nodiscard]] bool prepares() const noexcept {
-    return kind == Kind::instrument_zero || kind == Kind::start_posture;
+    return kind == Kind::instrument_zero || kind == Kind::start_posture || kind == Kind::hand_entry;
   }
   Kind kind = Kind::task;
   std::vector<std::string> tasks;  ///< file names of the tasks, without folder

@@ -34,6 +34,11 @@ struct ArmScreening {
   std::optional<std::map<std::string, double>> way_done;
 };
 
+/// Virtual objects that a hand is asked to place: in a bout, then it rests, and in a session.
+inline constexpr int kMostOfBout = 6;
+inline constexpr int kMostPlacements = 24;
+inline constexpr double kBetweenBouts_s = 60.0;
+
 /// What a task may depend on besides its file; stored with the trial.
 struct TaskContext {
   double period_s = 0.01;  ///< of the frame grid
@@ -42,6 +47,8 @@ struct TaskContext {
   std::vector<OwnRange> ranges;  ///< of the links of this arm, measured in this session
   ArmScreening screening;
   std::optional<ArmPostures> arm;  ///< of a task that names postures
+  /// Virtual objects that this hand may still be asked to place in this session.
+  int placements_left = kMostPlacements;
 };
 
 class Task {

@@ -7,7 +7,9 @@ namespace {
 const ForceView kNoForce;
 const ObjectView kNoObject;
 const ArmView kNoArm;
+const HandView kNoHand;
 const ObjectInput kNoObjectInput;
+const HandInput kNoHandInput;
 }  // namespace
 
 std::string_view name_of(Phase phase) noexcept {
@@ -38,6 +40,11 @@ const ArmView& SpecialView::arm() const noexcept {
   return view != nullptr ? *view : kNoArm;
 }
 
+const HandView& SpecialView::hand() const noexcept {
+  const auto* view = std::get_if<HandView>(&special);
+  return view != nullptr ? *view : kNoHand;
+}
+
 ForceView blank_force(const ForceReferences& references, ForceChannel channel) {
   ForceView view;
   view.channel = channel;
@@ -58,6 +65,11 @@ ForceView with_force(ForceView blank, const TaskInput& input) noexcept {
 const ObjectInput& object_of(const TaskInput& input) noexcept {
   const auto* object = std::get_if<ObjectInput>(&input);
   return object != nullptr ? *object : kNoObjectInput;
+}
+
+const HandInput& hand_of(const TaskInput& input) noexcept {
+  const auto* hand = std::get_if<HandInput>(&input);
+  return hand != nullptr ? *hand : kNoHandInput;
 }
 
 }  // namespace isograsp::tasks

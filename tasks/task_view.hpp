@@ -16,6 +16,7 @@
 #include "kinematics/attitude.hpp"
 #include "tasks/references.hpp"
 #include "tasks/task_progress.hpp"
+#include "virtual_hand/assistance_level.hpp"
 
 namespace isograsp::tasks {
 
@@ -36,8 +37,21 @@ struct ArmInput {
   double t_s = 0.0;            ///< of the row: runs on while the object is out of sight
   Pose X_WO = missing_pose();  ///< of the object; missing_pose(): not seen in this row
 };
+/// Of a task of a tracked hand, and of the object on the screen that it may hold.
+struct HandInput {
+  bool seen = false;  ///< in this frame; else hand and object are as they were last
+  double thumb_index_gap_m = kNotMeasured;
+  bool held = false;       ///< a digit is tied to the object, or two touch it
+  bool touched = false;    ///< a digit touches it, or is tied to it
+  bool supported = false;  ///< it rests on table or block
+  Pose X_WO = missing_pose();
+  /// Frames of the trial so far, and those of them without the hand (virtual_hand::LostShare):
+  /// pauses in which it was out of sight count, others do not.
+  std::int64_t frames = 0;
+  std::int64_t lost = 0;
+};
 /// std::monostate: of an apparatus whose tasks need to know nothing but the time.
-using TaskInput = std::variant<std::monostate, ForceInput, ObjectInput, ArmInput>;
+using TaskInput = std::variant<std::monostate, ForceInput, ObjectInput, ArmInput, HandInput>;
 
 struct ForceView {
   ForceChannel channel;     ///< the force that the task is about
@@ -69,9 +83,34 @@ struct ArmView {
   std::optional<LinkAngle> turn;
 };
 
+/// What is done with the virtual object after this frame, before the next one.
+enum class ObjectOrder : std::uint8_t {
+  none,
+  place,    ///< it appears, at its start
+  reset,    ///< it was dropped and is at its start again
+  release,  ///< it was placed: nothing new is tied to it
+  let_go,   ///< it is let go for the person
+  remove
+};
+/// Of a task of a tracked hand. Without an object all but the first is blank.
+struct HandView {
+  bool about_object = false;
+  ObjectOrder order = ObjectOrder::none;
+  int object = -1;     ///< of virtual_hand::study_objects(); -1: there is none
+  int placement = -1;  ///< from 0; one that is repeated has its own number
+  virtual_hand::AssistanceLevel assistance = virtual_hand::AssistanceLevel::off;
+  bool eased = false;  ///< easier than the task says, after fails
+  int fails = 0;       ///< drops in this placement
+  bool target_shown = false;
+  Pose X_WT = missing_pose();
+  bool at_target = false;
+  bool let_go_asked = false;  ///< it was placed, and the hand is to open
+  bool helped = false;        ///< it was let go for the person
+};
+
 /// What is special about a task of one sort.
 struct SpecialView {
-  std::variant<std::monostate, ForceView, ObjectView, ArmView> special;
+  std::variant<std::monostate, ForceView, ObjectView, ArmView, HandView> special;
 
   /// Of a force task, or of the hand that holds an object; blank: of neither.
   [[nodiscard]] const ForceView& force() const noexcept;
@@ -79,6 +118,8 @@ struct SpecialView {
   [[nodiscard]] const ObjectView& object() const noexcept;
   /// Blank: of a task that is not about an arm.
   [[nodiscard]] const ArmView& arm() const noexcept;
+  /// Blank: of a task that is not about a tracked hand.
+  [[nodiscard]] const HandView& hand() const noexcept;
 };
 
 /// What the screen shows and the record keeps after a step.
@@ -90,5 +131,7 @@ struct TaskView : TaskProgress, SpecialView {};
 [[nodiscard]] ForceView with_force(ForceView blank, const TaskInput& input) noexcept;
 /// Blank: of a task without object.
 [[nodiscard]] const ObjectInput& object_of(const TaskInput& input) noexcept;
+/// Blank: of a task that is not about a tracked hand.
+[[nodiscard]] const HandInput& hand_of(const TaskInput& input) noexcept;
 
 }  // namespace isograsp::tasks

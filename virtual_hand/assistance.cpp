@@ -36,6 +36,11 @@ void Assistance::block(std::size_t digit, double t_s) noexcept {
   pulled_[digit].reset();
 }
 
+void Assistance::let_go(double t_s) noexcept {
+  for (std::size_t d = 0; d < kDigitCount; ++d)
+    if (states_[d] == DigitState::attached) block(d, t_s);
+}
+
 void Assistance::step(const AssistanceRow& row) noexcept {
   if (!row.tracked) return forget();
   touch(row);

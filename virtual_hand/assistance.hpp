@@ -71,6 +71,8 @@ class Assistance {
   [[nodiscard]] const std::array<DigitState, kDigitCount>& states() const noexcept {
     return states_;
   }
+  /// All that are tied are blocked from now on: what is left of a grasp is none any more.
+  void let_go(double t_s) noexcept;
 
  private:
   using Since = std::optional<double>;

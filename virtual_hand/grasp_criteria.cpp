@@ -2,38 +2,16 @@
 #include "virtual_hand/grasp_criteria.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
-#include <limits>
-
-#include <Eigen/SVD>
+#include <initializer_list>
 
 #include "grasp_model/grasp.hpp"
+#include "virtual_hand/contact_maps.hpp"
 
 namespace isograsp::virtual_hand {
 
 namespace {
-
-/// Force coordinates of a soft contact: fx, fy, fz, tz.
-constexpr Eigen::Index kCoordinates = 4;
-
-SixValues six_values(const Eigen::VectorXd& singular) {
-  SixValues six;
-  six.product = 1.0;
-  for (std::size_t k = 0; k < 6; ++k) {
-    six.values[k] = singular[static_cast<Eigen::Index>(k)];
-    six.product *= six.values[k];
-  }
-  six.least = six.values[5];
-  return six;
-}
-
-/// Rank by the rounding of the largest singular value: a map of fewer contacts than it needs has a
-/// last one that is rounding, and no inverse.
-bool full_rank(const SixValues& six, Eigen::Index columns) {
-  const double rounding = 6.0 * std::numeric_limits<double>::epsilon() * six.values[0] *
-                          static_cast<double>(std::max<Eigen::Index>(6, columns));
-  return six.values[5] > rounding;
-}
 
 std::vector<Contact> as_scene_contacts(std::span<const DigitContact> contacts,
                                        const PadFriction& friction) {
@@ -50,86 +28,62 @@ std::vector<Contact> as_scene_contacts(std::span<const DigitContact> contacts,
   return all;
 }
 
-/// Rates of the digits' angles (four of each) to velocities of the contact points, in contact axes:
-/// three of translation, one of turning about the normal. The palm does not count: it moves any
-/// object.
-Eigen::MatrixXd contact_jacobian(std::span<const DigitContact> contacts, const HandInSpace& hand,
-                                 const Pose& X_WO) {
-  const auto n = static_cast<Eigen::Index>(contacts.size());
-  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(kCoordinates * n, kCoordinates * n);
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const DigitContact& contact = contacts[static_cast<std::size_t>(k)];
-    const Mat3 R_CW = (X_WO.q.toRotationMatrix() * contact.R_OC).transpose();
-    const PointJacobian of_point =
-        point_jacobian(hand, contact.digit, contact.link, X_WO.p + X_WO.q * contact.p_OC);
-    const auto angles = of_point.middleCols<static_cast<int>(kAngleCount)>(
-        static_cast<Eigen::Index>(6 + index_of(contact.digit) * kAngleCount));
-    auto block = J.block<4, 4>(kCoordinates * k, kCoordinates * k);
-    block.topRows<3>() = R_CW * angles.topRows<3>();
-    block.row(3) = R_CW.row(2) * angles.bottomRows<3>();
-  }
-  return J;
+MapScales scales_of(const ContactSet& set, double hand_scale_m,
+                    const PadFriction& friction) noexcept {
+  const bool turns = friction.friction > 0.0 && friction.patch_radius_m > 0.0;
+  return {set.length_m(), turns ? friction.torsion_m() : 1.0, hand_scale_m};
 }
 
-const std::vector<Eigen::Index> kAllRows{0, 1, 2, 3, 4, 5};
-constexpr unsigned kThin = Eigen::ComputeThinU | Eigen::ComputeThinV;
-using SvdOfMap = Eigen::JacobiSVD<Eigen::MatrixXd>;
+/// Calls act(set) for every set of `size` of the contacts, in their order.
+template <class Act>
+void for_each_set(std::span<const ContactMaps> maps, std::size_t size, const Act& act) {
+  for (std::size_t i = 0; i < maps.size(); ++i)
+    for (std::size_t j = i + 1; j < maps.size(); ++j) {
+      if (size == 2) {
+        act(ContactSet{{&maps[i], &maps[j]}, 2});
+        continue;
+      }
+      for (std::size_t k = j + 1; k < maps.size(); ++k)
+        act(ContactSet{{&maps[i], &maps[j], &maps[k]}, 3});
+    }
+}
 
-/// What the criteria of one set are made of.
-struct GraspMaps {
-  GraspMaps(std::span<const DigitContact> contacts, const HandInSpace& hand, const Pose& X_WO,
-            const PadFriction& friction)
-      : soft(as_scene_contacts(contacts, friction)), J(contact_jacobian(contacts, hand, X_WO)) {
-    for (const DigitContact& contact : contacts) digits |= 1U << index_of(contact.digit);
-  }
-  DigitSet digits = 0;
-  std::vector<Contact> soft;
-  Eigen::MatrixXd J;
+/// What a set of this size must exceed; a triple any H_min.
+struct SetLimits {
+  double G_min = 0.0;
+  double H_min = 0.0;
+  double H_det = 0.0;
+};
+SetLimits limits_of(const GraspLimits& limits, std::size_t size) noexcept {
+  if (size == 2) return {limits.G_min_2, limits.H_min_2, limits.H_det_2};
+  return {limits.G_min_3, 0.0, limits.H_det_3};
+}
+
+/// A set on its way through the limits of a session.
+struct Candidate {
+  ContactSet set;
+  double G_min = 0.0;
+  double H_min = 0.0;
+  double H_det = 0.0;
+  bool passes = false;
+  [[nodiscard]] double product() const noexcept { return H_det * G_min; }
 };
 
-SixValues values_of(const Eigen::MatrixXd& map) {
-  return six_values(SvdOfMap(map).singularValues());
-}
-/// (G^T)^+ J by the factors of G^T = U S V^T: V S^-1 U^T J.
-Eigen::MatrixXd moved_by(const SvdOfMap& svd, const Eigen::MatrixXd& J_h) {
-  return svd.matrixV() * svd.singularValues().cwiseInverse().asDiagonal() *
-         svd.matrixU().transpose() * J_h;
-}
-
-/// Of scaled maps; force closure and raw values are left out.
-GraspCriteria scaled_criteria(const GraspMaps& maps, double hand_scale_m) {
-  GraspCriteria criteria;
-  criteria.digits = maps.digits;
-  const Scales scales = default_scales(maps.soft);
-  criteria.length_scale_m = scales.length_m;
-  const Eigen::MatrixXd G_scaled = scaled_grasp_map(maps.soft, kAllRows, scales);
-  Eigen::VectorXd unit = Eigen::VectorXd::Ones(maps.J.rows());
-  for (Eigen::Index k = 3; k < unit.size(); k += kCoordinates) unit[k] = scales.torsion_m;
-  const SvdOfMap scaled(G_scaled.transpose(), kThin);
-  criteria.G = six_values(scaled.singularValues());
-  if (!full_rank(criteria.G, G_scaled.cols())) {
-    criteria.G.least = criteria.G.product = 0.0;
-    return criteria;
+Candidate candidate_of(const ContactSet& set, double hand_scale_m, const PadFriction& friction,
+                       const SetLimits& limits) noexcept {
+  const SetFactors factors = factors_of(set, scales_of(set, hand_scale_m, friction));
+  Candidate candidate{set, factors.G.least, 0.0, factors.H_det()};
+  candidate.passes = candidate.G_min > limits.G_min && candidate.H_det > limits.H_det;
+  if (set.count == 2 && candidate.G_min > 0.0) {
+    candidate.H_min = six_values(factors.H).least;
+    candidate.passes = candidate.passes && candidate.H_min > limits.H_min;
   }
-  criteria.H = values_of(moved_by(scaled, unit.asDiagonal() * maps.J / hand_scale_m));
-  return criteria;
+  return candidate;
 }
 
-/// Calls act(contacts of the set) for every pair, then every triple.
-template <class Act>
-void for_each_set(std::span<const DigitContact> contacts, const Act& act) {
-  const std::size_t n = contacts.size();
-  std::vector<DigitContact> chosen;
-  const auto pass = [&](std::initializer_list<std::size_t> which) {
-    chosen.clear();
-    for (const std::size_t k : which) chosen.push_back(contacts[k]);
-    act(std::span<const DigitContact>(chosen));
-  };
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = i + 1; j < n; ++j) pass({i, j});
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = i + 1; j < n; ++j)
-      for (std::size_t k = j + 1; k < n; ++k) pass({i, j, k});
+GraspChoice choice_of(const Candidate& candidate, bool feasible, const SetLimits& limits) noexcept {
+  return {candidate.set.digits(), feasible,     candidate.G_min, candidate.H_min,
+          candidate.H_det,        limits.G_min, limits.H_min,    limits.H_det};
 }
 
 }  // namespace
@@ -155,13 +109,25 @@ double hand_scale_m(const HandModel& hand) noexcept {
 
 GraspCriteria grasp_criteria(std::span<const DigitContact> contacts, const HandInSpace& hand,
                              const Pose& X_WO, double hand_scale_m, const PadFriction& friction) {
-  const GraspMaps maps(contacts, hand, X_WO, friction);
-  GraspCriteria criteria = scaled_criteria(maps, hand_scale_m);
-  criteria.force_closure = force_closure(maps.soft, kAllRows);
+  std::array<ContactMaps, kDigitCount> maps;
+  ContactSet set;
+  for (const DigitContact& contact : contacts) {
+    maps[set.count] = contact_maps(contact, hand, X_WO);
+    set.contacts[set.count] = &maps[set.count];
+    ++set.count;
+  }
+  GraspCriteria criteria;
+  criteria.digits = set.digits();
+  criteria.length_scale_m = set.length_m();
+  const SetFactors scaled = factors_of(set, scales_of(set, hand_scale_m, friction));
+  criteria.G = scaled.G;
+  const std::vector<Eigen::Index> all_rows{0, 1, 2, 3, 4, 5};
+  criteria.force_closure = force_closure(as_scene_contacts(contacts, friction), all_rows);
   if (criteria.G.least == 0.0) return criteria;
-  const SvdOfMap raw(grasp_map(maps.soft).transpose(), kThin);
-  criteria.G_raw = six_values(raw.singularValues());
-  criteria.H_raw = values_of(moved_by(raw, maps.J));
+  criteria.H = six_values(scaled.H);
+  const SetFactors raw = factors_of(set, {});
+  criteria.G_raw = raw.G;
+  criteria.H_raw = six_values(raw.H);
   return criteria;
 }
 
@@ -169,37 +135,61 @@ std::vector<GraspCriteria> criteria_of_sets(std::span<const DigitContact> contac
                                             const HandInSpace& hand, const Pose& X_WO,
                                             double hand_scale_m, const PadFriction& friction) {
   std::vector<GraspCriteria> all;
-  for_each_set(contacts, [&](std::span<const DigitContact> set) {
-    all.push_back(grasp_criteria(set, hand, X_WO, hand_scale_m, friction));
-  });
+  const auto add = [&](std::initializer_list<std::size_t> which) {
+    std::vector<DigitContact> chosen;
+    for (const std::size_t k : which) chosen.push_back(contacts[k]);
+    all.push_back(grasp_criteria(chosen, hand, X_WO, hand_scale_m, friction));
+  };
+  const std::size_t n = contacts.size();
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 1; j < n; ++j) add({i, j});
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 1; j < n; ++j)
+      for (std::size_t k = j + 1; k < n; ++k) add({i, j, k});
   return all;
 }
 
-std::optional<BestGrasp> feasible_grasp(std::span<const DigitContact> contacts,
-                                        const HandInSpace& hand, const Pose& X_WO,
-                                        double hand_scale_m, const PadFriction& friction,
-                                        const GraspLimits& limits) {
-  std::vector<GraspCriteria> sets;
-  std::vector<std::vector<Contact>> pads;
-  for_each_set(contacts, [&](std::span<const DigitContact> set) {
-    GraspMaps maps(set, hand, X_WO, friction);
-    sets.push_back(scaled_criteria(maps, hand_scale_m));
-    pads.push_back(std::move(maps.soft));
-  });
-  // Force closure costs the most: it is asked of the best set, then of the next.
-  GraspLimits algebra = limits;
-  algebra.closure = false;
-  for (;;) {
-    const auto best = best_grasp(sets, algebra);
-    if (!best || !limits.closure) return best;
-    const auto at = std::find_if(sets.begin(), sets.end(), [&](const GraspCriteria& set) {
-      return set.digits == best->digits;
-    });
-    const auto k = at - sets.begin();
-    if (force_closure(pads[static_cast<std::size_t>(k)], kAllRows)) return best;
-    sets.erase(at);
-    pads.erase(pads.begin() + k);
+bool closes(std::span<const DigitContact> contacts, const PadFriction& friction) noexcept {
+  std::array<ContactMaps, kDigitCount> maps;
+  ContactSet set;
+  for (const DigitContact& contact : contacts) {
+    maps[set.count] = contact_maps(contact);
+    set.contacts[set.count] = &maps[set.count];
+    ++set.count;
   }
+  return closes(set, friction);
+}
+
+GraspChoice feasible_grasp(std::span<const DigitContact> contacts, const HandInSpace& hand,
+                           const Pose& X_WO, double hand_scale_m, const PadFriction& friction,
+                           const GraspLimits& limits) noexcept {
+  constexpr std::size_t kMostSets = 10;  // of two or three of five
+  std::array<ContactMaps, kDigitCount> maps;
+  for (std::size_t k = 0; k < contacts.size(); ++k) maps[k] = contact_maps(contacts[k], hand, X_WO);
+  const std::span<const ContactMaps> touching(maps.data(), contacts.size());
+  std::optional<Candidate> most;
+  for (const std::size_t size : {3U, 2U}) {
+    const SetLimits exceed = limits_of(limits, size);
+    std::array<Candidate, kMostSets> sets;
+    std::size_t count = 0;
+    for_each_set(touching, size, [&](const ContactSet& set) {
+      sets[count++] = candidate_of(set, hand_scale_m, friction, exceed);
+    });
+    const auto end = sets.begin() + static_cast<std::ptrdiff_t>(count);
+    const auto better = [](const Candidate& a, const Candidate& b) {
+      return a.passes != b.passes ? b.passes : a.product() < b.product();
+    };
+    // Force closure costs the most: it is asked of the best set, then of the next.
+    for (auto best = std::max_element(sets.begin(), end, better); best != end && best->passes;
+         best = std::max_element(sets.begin(), end, better)) {
+      if (!limits.closure || closes(best->set, friction)) return choice_of(*best, true, exceed);
+      best->passes = false;
+    }
+    for (auto set = sets.begin(); set != end; ++set)
+      if (!most || set->product() > most->product()) most = *set;
+  }
+  if (!most) return {};
+  return choice_of(*most, false, limits_of(limits, most->set.count));
 }
 
 std::optional<BestGrasp> best_grasp(std::span<const GraspCriteria> sets,

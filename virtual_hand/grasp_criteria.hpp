@@ -87,12 +87,28 @@ struct BestGrasp {
 [[nodiscard]] std::optional<BestGrasp> best_grasp(std::span<const GraspCriteria> sets,
                                                   const GraspLimits& limits);
 
+/// The best grasp of the digits that touch, and how it stands against what it must exceed.
+struct GraspChoice {
+  DigitSet digits = 0;  ///< 0: fewer than two digits touch
+  bool feasible =
+      false;  ///< it is best_grasp(); else: of all sets the one with the largest product
+  double G_min = 0.0;
+  double H_min = 0.0;
+  double H_det = 0.0;
+  double G_min_limit = 0.0;
+  double H_min_limit = 0.0;  ///< 0 of three digits: it does not count
+  double H_det_limit = 0.0;
+};
 /// best_grasp() of all sets, asking for force closure only where the algebra passes: for a session,
-/// when the contacts change.
-[[nodiscard]] std::optional<BestGrasp> feasible_grasp(std::span<const DigitContact> contacts,
-                                                      const HandInSpace& hand, const Pose& X_WO,
-                                                      double hand_scale_m,
-                                                      const PadFriction& friction,
-                                                      const GraspLimits& limits);
+/// when the contacts change. Real-time safe. @pre at most five contacts, of different digits
+[[nodiscard]] GraspChoice feasible_grasp(std::span<const DigitContact> contacts,
+                                         const HandInSpace& hand, const Pose& X_WO,
+                                         double hand_scale_m, const PadFriction& friction,
+                                         const GraspLimits& limits) noexcept;
+
+/// Force closure of two to five contacts of different digits (closes() of contact_maps.hpp).
+/// Real-time safe. @pre friction.friction > 0
+[[nodiscard]] bool closes(std::span<const DigitContact> contacts,
+                          const PadFriction& friction) noexcept;
 
 }  // namespace isograsp::virtual_hand

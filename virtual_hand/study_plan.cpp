@@ -22,7 +22,8 @@ struct Size {
 };
 constexpr Size size_of(SizeClass size) noexcept {
   switch (size) {
-    case SizeClass::small: return {0.01, 0.02, 0.02, {0.38, 0.024, 9e-5, 0.58, 8e-4}};
+    // H_min as `isograsp hand thresholds` finds it: 0.024 would refuse most pinches that close.
+    case SizeClass::small: return {0.01, 0.02, 0.02, {0.38, 0.014, 9e-5, 0.58, 8e-4}};
     case SizeClass::flat: return {0.08, 0.01, 0.0, {0.093, 0.028, 3.5e-4, 0.15, 1.8e-3}};
     case SizeClass::slim: break;
   }
@@ -117,6 +118,17 @@ std::vector<StudyTest> study_plan(std::uint64_t seed) {
     }
   }
   return plan;
+}
+
+std::vector<StudyTest> tests_of(std::size_t object, bool assistance, int count,
+                                std::uint64_t seed) {
+  std::vector<StudyTest> tests;
+  for (std::uint64_t plan = seed; tests.size() < static_cast<std::size_t>(count); ++plan)
+    for (const StudyTest& test : study_plan(plan))
+      if (test.object == object && test.assistance == assistance &&
+          tests.size() < static_cast<std::size_t>(count))
+        tests.push_back(test);
+  return tests;
 }
 
 }  // namespace isograsp::virtual_hand

@@ -49,5 +49,8 @@ struct StudyTest {
 /// and two without, in an order drawn for each object. Each of the four meets both sides, and with
 /// and without assistance every target comes once.
 [[nodiscard]] std::vector<StudyTest> study_plan(std::uint64_t seed);
+/// So many tests of one object in one mode, as plans from this seed on order them.
+[[nodiscard]] std::vector<StudyTest> tests_of(std::size_t object, bool assistance, int count,
+                                              std::uint64_t seed);
 
 }  // namespace isograsp::virtual_hand

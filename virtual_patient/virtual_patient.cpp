@@ -86,7 +86,9 @@ VirtualPatient::Mind::Instruction VirtualPatient::Mind::instruction(
     case Cue::hand_out:
     case Cue::relax:
     case Cue::let_go:
-    case Cue::move: break;
+    case Cue::move:
+    case Cue::open:
+    case Cue::close: break;
   }
   return {picture.cue, {}};
 }
@@ -140,7 +142,9 @@ void VirtualPatient::Mind::act(double t_s) noexcept {
       break;
     case Cue::hand_out:
     case Cue::relax:
-    case Cue::let_go: break;
+    case Cue::let_go:
+    case Cue::open:
+    case Cue::close: break;
   }
 }
 
@@ -166,6 +170,8 @@ void VirtualPatient::Mind::want(double t_s, double dt_s) noexcept {
     case Cue::hand_out: wanted = nothing(); break;
     case Cue::relax:
     case Cue::let_go:
+    case Cue::open:  // of a hand that is seen: nobody presses
+    case Cue::close:
       for (Vec3& force : wanted) force *= std::exp(-dt_s / traits.release_s);
       break;
     case Cue::squeeze: wanted = risen(goal, t_s); break;

@@ -8,9 +8,11 @@
 #include "app/db/db_commands.hpp"
 #include "app/db/person_export.hpp"
 #include "core/files.hpp"
+#include "storage/access/open_store.hpp"
 #include "storage/person/consent.hpp"
 #include "storage/person/erasure.hpp"
 #include "storage/person/identity.hpp"
+#include "storage/records/patient_code.hpp"
 
 namespace isograsp::app {
 
@@ -27,6 +29,7 @@ struct PersonOptions {
   std::string reason;
   bool plan = false;
   bool lift = false;
+  bool is_new = false;
   storage::Consent consent;
 };
 
@@ -109,6 +112,12 @@ Result<void> list_consents(storage::Access& access, const PersonOptions& options
 }
 
 Result<void> record_consent(storage::Access& access, const PersonOptions& options) {
+  if (options.is_new) {
+    if (auto good = storage::check_patient_code(options.patient); !good) return good;
+    auto store = storage::open_store(options.common.file, storage::OpenMode::existing);
+    if (!store) return store.error();
+    if (const auto added = (*store)->add_patient(options.patient); !added) return added.error();
+  }
   const auto id = storage::add_consent(access, options.patient, options.consent);
   if (!id) return id.error();
   print_answer(options.common.json, {{"patient", options.patient}, {"stored", true}},
@@ -224,6 +233,7 @@ void add_db_person(Subcommand db) {
   add.option("--state", options->consent.state, "given, refused or withdrawn").required();
   add.option("--date", options->consent.on_date, "Day it was said, e.g. 2026-03-05").required();
   add.option("--text", options->consent.text, "Such as the version of the form");
+  add.flag("--new", options->is_new, "The patient code is new: make its record");
 
   Subcommand erased =
       add_one(db, "erase", "Restrict or erase a person's records on request",

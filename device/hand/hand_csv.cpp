@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <optional>
 
@@ -186,6 +187,13 @@ void HandCsvWriter::write(const HandFrame& frame) {
     }
   text_ += "\n";
   file_.write(text_);
+}
+
+bool begins_like_hand_csv(const std::string& path) {
+  constexpr std::string_view kBegin = "t_s,hand,tracked";
+  std::ifstream file(path, std::ios::binary);
+  std::string begin(kBegin.size(), ' ');
+  return file.read(begin.data(), static_cast<std::streamsize>(begin.size())) && begin == kBegin;
 }
 
 }  // namespace isograsp

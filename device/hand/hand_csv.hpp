@@ -18,6 +18,9 @@ namespace isograsp {
 /// passed over.
 [[nodiscard]] Result<std::vector<HandFrame>> read_hand_csv(const std::string& path);
 
+/// Whether a file begins like such a table; false also where it cannot be read.
+[[nodiscard]] bool begins_like_hand_csv(const std::string& path);
+
 /// Writes row by row, in constant memory.
 class HandCsvWriter {
  public:

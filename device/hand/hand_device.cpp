@@ -38,15 +38,13 @@ Words words_of(HandFault fault) noexcept {
   return kSentences[static_cast<std::size_t>(fault)];
 }
 
-Result<std::unique_ptr<HandDevice>> open_hand_device(const Uri& uri, std::optional<Hand> side) {
+Result<std::unique_ptr<HandDevice>> open_hand_device(const Uri& uri, std::optional<Hand> side,
+                                                     HandSource* person) {
   for (const HandScheme& scheme : kHandSchemes)
     if (uri.scheme == scheme.name) return scheme.open(uri, side);
-  if (uri.scheme == "sim")
-    return refused("there is no simulated user of a tracked hand"_text,
-                   "use leap://HOST, udp-hand://HOST or replay://FILE.csv"_text)
-        .at(uri.text);
+  if (uri.scheme == "sim") return open_simulated_hand(uri, side, person);
   return refused("no tracker of hands is called %1://"_text(uri.scheme),
-                 "use leap://HOST, udp-hand://HOST or replay://FILE.csv"_text)
+                 "use leap://HOST, udp-hand://HOST, replay://FILE.csv or sim://hand"_text)
       .at(uri.text);
 }
 

@@ -15,6 +15,7 @@
 #include "core/time.hpp"
 #include "device/config/uri.hpp"
 #include "device/sensors/force_device.hpp"
+#include "hand/hand_source.hpp"
 #include "hand/tracked_hand.hpp"
 
 namespace isograsp {
@@ -76,6 +77,7 @@ struct HandHealth {
 struct HandDeviceInfo {
   std::string uri;
   Text description;               ///< one line for people, e.g. "Leap service at 127.0.0.1"
+  bool simulated = false;         ///< hands come from software
   bool recorded = false;          ///< hands come from a file
   double period_s = 0.01;         ///< of the tracker
   std::optional<double> delay_s;  ///< from the hand to the stamp; nothing: not measured
@@ -103,9 +105,11 @@ class HandDevice {
   virtual void stop() noexcept = 0;
 };
 
-/// Opens leap://HOST[:PORT], udp-hand://HOST[:PORT], replay://FILE. `side` is the hand of the
-/// session: rows of the other label are counted and not given; nothing: both hands are given.
+/// Opens leap://HOST[:PORT], udp-hand://HOST[:PORT], replay://FILE, sim://hand. `side` is the hand
+/// of the session: rows of the other label are counted and not given; nothing: both hands are
+/// given. `person`: whose hand sim://hand shows; outlives the device.
 [[nodiscard]] Result<std::unique_ptr<HandDevice>> open_hand_device(const Uri& uri,
-                                                                   std::optional<Hand> side);
+                                                                   std::optional<Hand> side,
+                                                                   HandSource* person = nullptr);
 
 }  // namespace isograsp

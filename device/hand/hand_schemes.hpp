@@ -25,6 +25,11 @@ namespace isograsp {
 [[nodiscard]] Result<std::unique_ptr<HandDevice>> open_hand_replay(const Uri& uri,
                                                                    std::optional<Hand> side);
 
+/// sim://hand?user=NAME&seed=N&rate=90: the hand of `person`, who lives in software. Errors: null.
+[[nodiscard]] Result<std::unique_ptr<HandDevice>> open_simulated_hand(const Uri& uri,
+                                                                      std::optional<Hand> side,
+                                                                      HandSource* person);
+
 /// What all live trackers are told in their URI: `mounting`, `delay_ms`.
 [[nodiscard]] Result<HandDeviceInfo> live_hand_info(const Uri& uri);
 

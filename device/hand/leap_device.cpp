@@ -175,7 +175,8 @@ class LeapReceiver final : public HandReceiver {
 }  // namespace
 
 Result<std::unique_ptr<HandDevice>> open_leap(const Uri& uri, std::optional<Hand> side) {
-  if (auto known = uri.require_known({"mounting", "delay_ms"}); !known) return known.error();
+  if (auto known = uri.require_known({"mounting", "delay_ms", "hand", "size"}); !known)
+    return known.error();
   auto info = live_hand_info(uri);
   if (!info) return info.error();
   auto host = parse_host(uri.target, kLeapPort);

@@ -70,7 +70,7 @@ class HandReplay final : public HandDevice {
 }  // namespace
 
 Result<std::unique_ptr<HandDevice>> open_hand_replay(const Uri& uri, std::optional<Hand> side) {
-  if (auto known = uri.require_known({"speed"}); !known) return known.error();
+  if (auto known = uri.require_known({"speed", "hand", "size"}); !known) return known.error();
   const auto speed = replay_speed(uri);
   if (!speed) return speed.error();
   auto play = HandPlay::read(uri.target);

@@ -80,7 +80,7 @@ class UdpHandReceiver final : public HandReceiver {
 }  // namespace
 
 Result<std::unique_ptr<HandDevice>> open_udp_hand(const Uri& uri, std::optional<Hand> side) {
-  if (auto known = uri.require_known({"mounting", "delay_ms", "network"}); !known)
+  if (auto known = uri.require_known({"mounting", "delay_ms", "network", "hand", "size"}); !known)
     return known.error();
   auto info = live_hand_info(uri);
   if (!info) return info.error();

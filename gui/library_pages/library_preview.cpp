@@ -218,6 +218,7 @@ QString words_of(const tasks::ProtocolStep& step, const std::vector<tasks::TaskS
   switch (step.kind) {
     case tasks::ProtocolStep::Kind::instrument_zero: return PreviewTexts::tr("Instrument zero");
     case tasks::ProtocolStep::Kind::start_posture: return PreviewTexts::tr("Start posture");
+    case tasks::ProtocolStep::Kind::hand_entry: return PreviewTexts::tr("Entry test of the hand");
     case tasks::ProtocolStep::Kind::pause: return PreviewTexts::tr("Pause");
     case tasks::ProtocolStep::Kind::task: break;
   }

@@ -21,7 +21,8 @@ ProtocolFacts protocol_facts(const ProtocolGuide& guide, bool by_itself, double 
   if (!act) return facts;
   switch (act->kind) {
     case Act::Kind::instrument_zero:
-    case Act::Kind::start_posture: facts.act = ProtocolFacts::Act::zero; break;
+    case Act::Kind::start_posture:
+    case Act::Kind::hand_entry: facts.act = ProtocolFacts::Act::zero; break;
     case Act::Kind::pause: facts.act = ProtocolFacts::Act::pause; break;
     case Act::Kind::trial: facts.act = ProtocolFacts::Act::trial; break;
   }

@@ -202,7 +202,9 @@ void add_force(const PatientFacts& facts, PatientPicture& picture) {
       return say(picture, Sign::let_go, words());
     case Cue::reproduce: return say(picture, Sign::memory, words());
     case Cue::hand_out: return say(picture, Sign::hand_out, words());
-    case Cue::move: return say(picture, Sign::wait, words());
+    case Cue::move:
+    case Cue::open:
+    case Cue::close: return say(picture, Sign::wait, words());
   }
 }
 

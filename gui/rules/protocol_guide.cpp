@@ -71,6 +71,9 @@ std::vector<ProtocolGuide::Row> ProtocolGuide::rows() const {
       case tasks::ProtocolStep::Kind::start_posture:
         row.title = GuideTexts::tr("Start posture, arm held still").toStdString();
         break;
+      case tasks::ProtocolStep::Kind::hand_entry:
+        row.title = GuideTexts::tr("Entry test of the hand").toStdString();
+        break;
       case tasks::ProtocolStep::Kind::pause:
         row.title =
             GuideTexts::tr("Pause, %1 s").arg(static_cast<int>(step.duration_s)).toStdString();
@@ -115,7 +118,7 @@ void ProtocolGuide::look(double session_time_s) {
 }
 
 void ProtocolGuide::zeroed(double session_time_s) {
-  if (!act_ || (act_->kind != Kind::instrument_zero && act_->kind != Kind::start_posture)) return;
+  if (!act_ || act_->kind == Kind::pause || act_->kind == Kind::trial) return;
   walk_->done(session_time_s);
   look(session_time_s);
 }

@@ -750,6 +750,10 @@
         <source>Start posture</source>
         <translation>Ausgangshaltung</translation>
     </message>
+    <message>
+        <source>Entry test of the hand</source>
+        <translation>Eingangstest der Hand</translation>
+    </message>
 </context>
 <context>
     <name>PatientScreen</name>
@@ -1061,6 +1065,14 @@
         <source>Take it in your hand again</source>
         <translation>Nehmen Sie es wieder in die Hand</translation>
     </message>
+    <message>
+        <source>As far as it goes.</source>
+        <translation>So weit es geht.</translation>
+    </message>
+    <message>
+        <source>Close your hand</source>
+        <translation>Hand schließen</translation>
+    </message>
 </context>
 <context>
     <name>Posture</name>
@@ -1323,6 +1335,10 @@
     <message>
         <source>Start posture, arm held still</source>
         <translation>Ausgangshaltung, Arm stillgehalten</translation>
+    </message>
+    <message>
+        <source>Entry test of the hand</source>
+        <translation>Eingangstest der Hand</translation>
     </message>
 </context>
 <context>

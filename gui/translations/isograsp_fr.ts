@@ -750,6 +750,10 @@
         <source>Start posture</source>
         <translation>Posture de départ</translation>
     </message>
+    <message>
+        <source>Entry test of the hand</source>
+        <translation>Test d’entrée de la main</translation>
+    </message>
 </context>
 <context>
     <name>PatientScreen</name>
@@ -1061,6 +1065,14 @@
         <source>Take it in your hand again</source>
         <translation>Reprenez l’objet en main</translation>
     </message>
+    <message>
+        <source>As far as it goes.</source>
+        <translation>Autant que possible.</translation>
+    </message>
+    <message>
+        <source>Close your hand</source>
+        <translation>Fermez la main</translation>
+    </message>
 </context>
 <context>
     <name>Posture</name>
@@ -1323,6 +1335,10 @@
     <message>
         <source>Start posture, arm held still</source>
         <translation>Posture de départ, bras immobile</translation>
+    </message>
+    <message>
+        <source>Entry test of the hand</source>
+        <translation>Test d’entrée de la main</translation>
     </message>
 </context>
 <context>

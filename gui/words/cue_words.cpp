@@ -121,6 +121,10 @@ CueWords words_of(Cue cue, ForceChannel channel, Hand hand) {
       return plain_cue(CueTexts::tr("Let go!"), CueTexts::tr("As fast as you can."));
     case Cue::move:
       return plain_cue(CueTexts::tr("Bring it to the outline"), CueTexts::tr("Slowly and level"));
+    case Cue::open:
+      return plain_cue(CueTexts::tr("Open your hand"), CueTexts::tr("As far as it goes."));
+    case Cue::close:
+      return plain_cue(CueTexts::tr("Close your hand"), CueTexts::tr("As far as it goes."));
   }
   return {};
 }

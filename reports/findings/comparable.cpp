@@ -28,6 +28,11 @@ bool is_of_an_arm(const storage::SessionRecord& session) {
   return session.calibration.find("isograsp-rig-1") != std::string::npos;
 }
 
+/// Of a session with a tracked hand: how it is seen; else nothing.
+std::string tracker_of(const std::string& calibration) {
+  return calibration.find("isograsp-tracker-1") == std::string::npos ? "" : calibration;
+}
+
 }  // namespace
 
 std::string lasting_scene(const std::string& scene_text) {
@@ -53,17 +58,24 @@ bool same_gain(const VisualGain& a, const VisualGain& b) {
 
 Conditions conditions_of(const StoredTrial& trial) {
   const storage::SessionRecord& session = *trial.session_record;
-  return {session.rate_Hz, session.device_delay_s, session.display_delay_s,
+  return {session.rate_Hz,
+          session.device_delay_s,
+          session.display_delay_s,
           gain_of(trial.trial.references),
           is_of_an_arm(session) ? ArmConditions{session.calibration, cameras_of(session.device_uri),
                                                 lasting_scene(trial.trial.scene_text)}
-                                : ArmConditions{}};
+                                : ArmConditions{},
+          tracker_of(session.calibration)};
 }
 
 Conditions conditions_of(const storage::PooledValue& value) {
-  return {value.rate_Hz, value.device_delay_s, value.display_delay_s, gain_of(value.references),
+  return {value.rate_Hz,
+          value.device_delay_s,
+          value.display_delay_s,
+          gain_of(value.references),
           ArmConditions{value.calibration, cameras_of(value.device_uri),
-                        lasting_scene(value.scene_text)}};
+                        lasting_scene(value.scene_text)},
+          tracker_of(value.calibration)};
 }
 
 Text difference(const Conditions& a, const Conditions& b) {
@@ -77,6 +89,7 @@ Text difference(const Conditions& a, const Conditions& b) {
   if (a.arm.rig != b.arm.rig) return "other rig of markers"_text;
   if (a.arm.cameras != b.arm.cameras) return "other system of cameras"_text;
   if (a.arm.postures != b.arm.postures) return "other postures"_text;
+  if (a.tracker != b.tracker) return "other tracker, mounting or delay"_text;
   return {};
 }
 

@@ -42,6 +42,8 @@ struct Conditions {
   std::optional<double> display_delay_s;  ///< lags are corrected by it; nothing: they are not
   VisualGain gain;
   ArmConditions arm;
+  /// Of a tracked hand: tracker, version of its service, mounting, delay; empty: it is none.
+  std::string tracker;
 };
 [[nodiscard]] Conditions conditions_of(const StoredTrial& trial);
 [[nodiscard]] Conditions conditions_of(const storage::PooledValue& value);

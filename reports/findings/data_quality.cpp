@@ -108,8 +108,8 @@ std::int64_t lost_on_the_wire(const std::vector<storage::TrialRecord>& trials) {
   const auto health = nlohmann::json::parse(trials.back().health_json, nullptr, false);
   if (!health.is_object()) return 0;
   std::int64_t lost = count_at(health, "kernel_drops");
-  for (const std::string_view part :
-       {kFingerNames[0], kFingerNames[1], kFingerNames[2], std::string_view("cameras")})
+  for (const std::string_view part : {kFingerNames[0], kFingerNames[1], kFingerNames[2],
+                                      std::string_view("cameras"), std::string_view("tracker")})
     if (const auto sensor = health.find(part); sensor != health.end() && sensor->is_object())
       lost += count_at(*sensor, "lost");
   return lost;
@@ -155,12 +155,39 @@ std::optional<QualityLine> start_posture_line(
       false};
 }
 
-bool are_of_arm(const std::vector<storage::TrialRecord>& trials) {
+/// A tracked hand shows at rest that it is seen, and that it opens.
+QualityLine entry_line(const std::vector<storage::PreparationRecord>& preparations) {
+  const storage::PreparationRecord* newest = nullptr;
+  for (const auto& one : preparations)
+    if (one.kind == "hand_entry") newest = &one;
+  if (newest == nullptr)
+    return {"Entry test of the hand"_text, "not passed, or not done"_text, true};
+  constexpr double kMillimetres = 1000.0;
+  constexpr double kPercent = 100.0;
+  const double opening_m = storage::value_of(newest->references, "opening_m").value_or(0.0);
+  const double seen = storage::value_of(newest->references, "tracked_share").value_or(0.0);
+  return {"Entry test of the hand"_text,
+          "opening %1 mm; seen %2 % of the time at rest"_text(fixed(kMillimetres * opening_m, 0),
+                                                              fixed(kPercent * seen, 0)),
+          false};
+}
+
+/// The apparatus of a session: that of the first task which needs one.
+std::string apparatus_of(const std::vector<storage::TrialRecord>& trials) {
   for (const auto& trial : trials) {
     const auto spec = tasks::parse_task(trial.task_text, trial.task_name);
-    if (spec && spec->apparatus() == kArm) return true;
+    if (spec && !spec->apparatus().empty()) return std::string(spec->apparatus());
   }
-  return false;
+  return "";
+}
+
+/// What stands before the work of a session.
+QualityLine preparation_line(const std::string& apparatus, const storage::SessionRecord& session,
+                             const std::vector<storage::PreparationRecord>& preparations) {
+  if (apparatus == kTrackedHand) return entry_line(preparations);
+  if (apparatus != kArm) return zero_line(session, preparations);
+  return start_posture_line(preparations)
+      .value_or(QualityLine{"Start posture"_text, "not taken"_text, true});
 }
 
 QualityLine picture_line(const SignalFacts& facts, std::int64_t recorder_drops, std::int64_t lost) {
@@ -256,6 +283,9 @@ QualityLine time_line(const std::vector<storage::TrialRecord>& trials, double ra
 }
 
 QualityLine delay_line(const storage::SessionRecord& session) {
+  if (session.calibration.find("delay = \"not measured\"") != std::string::npos)
+    return {"Delay"_text, "of tracker and display not measured, contained in all times"_text,
+            false};
   if (session.device_delay_s > 0.0)
     return {"Delay"_text,
             "filter delay of %1 ms is contained in lag and tracking error, not subtracted; display "
@@ -294,18 +324,14 @@ Result<std::vector<QualityLine>> assess_quality(storage::SessionStore& store,
       from = end + 1;
     }
   }
-  const bool of_arm = are_of_arm(trials);
-  if (!of_arm)
-    lines.push_back(zero_line(session, *preparations));
-  else
-    lines.push_back(start_posture_line(*preparations)
-                        .value_or(QualityLine{"Start posture"_text, "not taken"_text, true}));
+  const std::string apparatus = apparatus_of(trials);
+  lines.push_back(preparation_line(apparatus, session, *preparations));
   lines.push_back(trial_line(trials));
   std::int64_t dropped = 0;
   for (const auto& trial : trials) dropped += trial.dropped;
   if (facts->rows > 0)
-    lines.push_back(
-        (of_arm ? picture_line : sample_line)(*facts, dropped, lost_on_the_wire(trials)));
+    lines.push_back((apparatus == kArm ? picture_line : sample_line)(*facts, dropped,
+                                                                     lost_on_the_wire(trials)));
   lines.push_back(fault_line(*events));
   lines.push_back(time_line(trials, session.rate_Hz));
   lines.push_back(delay_line(session));

@@ -306,13 +306,13 @@ LimitsOfHand limits_of(const PatientRecords& records,
   if (limits.other_hand) limits.hand = affected == storage::Side::right ? Hand::right : Hand::left;
   const Hand other = limits.hand == Hand::right ? Hand::left : Hand::right;
   const auto tasks = sort_by_task(records);
-  // An arm seen by markers says nothing of the hand's forces.
-  const auto is_of_arm = [](const auto& task) {
+  // An arm seen by markers says nothing of the hand's forces, nor does a tracker.
+  const auto is_without_forces = [](const auto& task) {
     const storage::TrialRecord& trial = task.second.front()->trial;
     const auto spec = tasks::parse_task(trial.task_text, trial.task_name);
-    return spec && spec->apparatus() == kArm;
+    return spec && (spec->apparatus() == kArm || spec->apparatus() == kTrackedHand);
   };
-  if (!tasks.empty() && std::all_of(tasks.begin(), tasks.end(), is_of_arm)) return limits;
+  if (!tasks.empty() && std::all_of(tasks.begin(), tasks.end(), is_without_forces)) return limits;
   for (std::size_t i = 0; i < kComponentCount; ++i) {
     const auto component = static_cast<Component>(i);
     const auto one = measured(tasks, component, limits.hand, records.shown);

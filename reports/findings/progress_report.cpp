@@ -78,6 +78,7 @@ void add_session_poses(storage::SessionStore& store, const std::vector<const Sto
 
 void add_drawn_trials(storage::SessionStore& store, const std::vector<const StoredTrial*>& all,
                       TaskSection& section) {
+  if (section.spec && section.spec->kind->research) return;  // nothing of it is drawn
   if (counts(all.back()->trial)) section.last = drawn(store, *all.back(), section);
   add_session_poses(store, all, section);
   for (Text& line : compensation_lines(section)) section.notes.push_back(std::move(line));

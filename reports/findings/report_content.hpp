@@ -118,6 +118,7 @@ struct SeriesBreak {
 /// One task with one hand, or with both: sessions that may be compared with each other.
 /// The apparatus of tasks of an arm (KindFacts::apparatus).
 inline constexpr std::string_view kArm = "arm";
+inline constexpr std::string_view kTrackedHand = "tracked_hand";
 
 struct TaskSection {
   std::string task;

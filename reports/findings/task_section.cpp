@@ -139,6 +139,8 @@ Result<TaskSection> make_section(const VerdictContext& context,
   note(unfinished, "1 trial that did not end left out"_text,
        "%1 trials that did not end left out"_text);
   if (compared.empty()) return section;
+  // What is research stands in no report of a patient, whatever was chosen as primary.
+  if (section.spec && section.spec->kind->research) return section;
 
   for (const Measure& measure : compared.back()->measures) {
     if (tasks::place_of(section.spec, measure.name, measure.channel).prominence ==

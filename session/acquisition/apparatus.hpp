@@ -33,6 +33,8 @@ struct ApparatusInfo {
   double period_s = 0.01;  ///< of the grid of frames
   double delay_s = 0.0;    ///< known delay from the body to the stamp
   std::vector<std::string> provenance;  ///< where recorded data come from, what was overridden
+  /// A camera looks at the person: it is not opened before a lawful basis is on record.
+  bool watches_person = false;
 };
 
 /// Refuses an apparatus that is not of the kind `needed`; empty: any will do.
@@ -40,9 +42,10 @@ struct ApparatusInfo {
 
 /// What a session asks for before the work, in this order.
 enum class PreparationStep : std::uint8_t {
-  zero,          ///< instrument zero of the empty device
-  rest,          ///< the hand at rest in it
-  start_posture  ///< the arm, held still
+  zero,           ///< instrument zero of the empty device
+  rest,           ///< the hand at rest in it
+  start_posture,  ///< the arm, held still
+  hand_entry      ///< the tracked hand: at rest, then opened and closed
 };
 
 /// How a frame was received.

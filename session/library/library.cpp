@@ -7,6 +7,7 @@
 
 #include "core/csv.hpp"
 #include "session/library/arm_rules.hpp"
+#include "session/library/hand_rules.hpp"
 #include "tasks/waveform.hpp"
 
 namespace isograsp::session {
@@ -161,6 +162,7 @@ Result<ReadyProtocol> read_protocol(std::string_view text, const std::string& pa
   ReadyProtocol ready{std::move(*spec), {}};
   if (auto read = ProtocolReader(ready, library).read(); !read) return read.error();
   if (auto good = check_arm_rules(ready.spec, ready.tasks); !good) return good.error();
+  if (auto good = check_hand_rules(ready.spec, ready.tasks); !good) return good.error();
   return ready;
 }
 

@@ -31,6 +31,10 @@ class Run {
           if (auto done = prepare(act->kind); !done) return done.error();
           walk.done(now_s());
           break;
+        case ProtocolWalk::Act::Kind::hand_entry:
+          if (auto done = test_entry(); !done) return done.error();
+          walk.done(now_s());
+          break;
         case ProtocolWalk::Act::Kind::pause:
           session_.let_pass(act->duration_s);
           walk.done(now_s());
@@ -97,6 +101,22 @@ class Run {
       return failed("there is no start posture: %1"_text(reason),
                     "check markers and cameras, and run the protocol again"_text);
     return failed("the instrument zero was refused: %1"_text(reason), remedy);
+  }
+
+  /// A hand that does not pass goes on with the tasks that are for it; the others are left out, and
+  /// say why.
+  Result<void> test_entry() {
+    if (!session_.known().asks_for(PreparationStep::hand_entry))
+      return refused("this device has no entry test of a hand"_text,
+                     "use a protocol that is made for it"_text);
+    ZeroRequest request;
+    request.settle_s = kSettle_s;
+    if (auto started = session_.start_zero(request); !started) return started;
+    const auto news = session_.wait_for_news();
+    if (auto good = may_go_on(); !good) return good;
+    for (const auto& item : news)
+      if (item.prepared) return {};
+    return failed("the device gives no more data"_text, "check the device"_text);
   }
 
   double now_s() { return session_.snapshot().session_time_s; }

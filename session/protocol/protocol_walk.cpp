@@ -9,9 +9,11 @@ namespace {
 
 /// @pre step.prepares()
 ProtocolWalk::Act::Kind kind_of(const tasks::ProtocolStep& step) noexcept {
-  return step.kind == tasks::ProtocolStep::Kind::instrument_zero
-             ? ProtocolWalk::Act::Kind::instrument_zero
-             : ProtocolWalk::Act::Kind::start_posture;
+  switch (step.kind) {
+    case tasks::ProtocolStep::Kind::start_posture: return ProtocolWalk::Act::Kind::start_posture;
+    case tasks::ProtocolStep::Kind::hand_entry: return ProtocolWalk::Act::Kind::hand_entry;
+    default: return ProtocolWalk::Act::Kind::instrument_zero;
+  }
 }
 
 }  // namespace
@@ -20,6 +22,7 @@ Text ProtocolWalk::Act::words() const {
   switch (kind) {
     case Kind::instrument_zero: return "Instrument zero"_text;
     case Kind::start_posture: return "Start posture"_text;
+    case Kind::hand_entry: return "Entry test of the hand"_text;
     case Kind::pause: return "Pause"_text;
     case Kind::trial: break;
   }
@@ -67,7 +70,8 @@ std::optional<ProtocolWalk::Act> ProtocolWalk::next() const {
   act.not_before_s = item->not_before_s;
   switch (step.kind) {
     case tasks::ProtocolStep::Kind::instrument_zero:
-    case tasks::ProtocolStep::Kind::start_posture: act.kind = kind_of(step); break;
+    case tasks::ProtocolStep::Kind::start_posture:
+    case tasks::ProtocolStep::Kind::hand_entry: act.kind = kind_of(step); break;
     case tasks::ProtocolStep::Kind::pause:
       act.kind = Act::Kind::pause;
       act.duration_s = step.duration_s;

@@ -15,7 +15,7 @@ namespace isograsp::session {
 class ProtocolWalk {
  public:
   struct Act {
-    enum class Kind : std::uint8_t { instrument_zero, start_posture, pause, trial };
+    enum class Kind : std::uint8_t { instrument_zero, start_posture, hand_entry, pause, trial };
     Kind kind = Kind::trial;
     const tasks::TaskSpec* task = nullptr;     ///< of a trial, as its file says it
     bool practice = false;                     ///< recorded, but no assessment

@@ -79,7 +79,7 @@ Words words_of(HandEntry::Refusal refusal) noexcept {
     case HandEntry::Refusal::badly_tracked:
       return "The tracker loses this hand at rest: move the camera, take off what shines, light the table evenly."_text;
     case HandEntry::Refusal::opens_little:
-      return "This hand opens too little for virtual objects: use the tasks of opening against force."_text;
+      return "This hand opens too little for virtual objects: use the tasks \"Opening force\" and \"Open on cue\" of the force platform."_text;
     default: return "The hand is seen well and opens."_text;
   }
 }

@@ -43,6 +43,8 @@ class HandEntry {
   [[nodiscard]] Stage stage() const noexcept { return stage_; }
   [[nodiscard]] Refusal refusal() const noexcept { return refusal_; }
   [[nodiscard]] int openings() const noexcept { return openings_; }
+  /// Since this stage began [s].
+  [[nodiscard]] double stage_s() const noexcept { return static_cast<double>(frames_) * period_s_; }
   /// 0 … 1, of the time at rest.
   [[nodiscard]] double tracked_share() const noexcept;
   /// Largest gap that stood [m].

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "device/hand/hand_device.hpp"
+#include "hand_world/assisted_grasp.hpp"
 #include "session/acquisition/apparatus.hpp"
 #include "session/tracked_hand/hand_reader.hpp"
 
@@ -19,26 +20,9 @@ inline constexpr double kLongestLoss_s = 0.2;
 /// `gap`: the frame is held, and left out of measures.
 [[nodiscard]] Reception hand_reception(const ShownHand& hand, HandFault fault) noexcept;
 
-/// Frames of one placement, and how many of them were without the hand.
-class LostShare {
- public:
-  /// Of its frames: with more of them lost a placement is not scored, and repeated.
-  static constexpr double kMost = 0.1;
-
-  void begin() noexcept { frames_ = lost_ = 0; }
-  void add(bool lost) noexcept {
-    ++frames_;
-    lost_ += lost ? 1 : 0;
-  }
-  /// 0 … 1; of no frame 1.
-  [[nodiscard]] double share() const noexcept {
-    return frames_ == 0 ? 1.0 : static_cast<double>(lost_) / static_cast<double>(frames_);
-  }
-  [[nodiscard]] bool can_be_scored() const noexcept { return share() <= kMost; }
-
- private:
-  std::int64_t frames_ = 0;
-  std::int64_t lost_ = 0;
-};
+/// Flags of its row: held while the hand stands still for a moment, then missing.
+[[nodiscard]] std::uint8_t hand_flags(const ShownHand& hand) noexcept;
+/// A digit touches the object, or is tied to it.
+[[nodiscard]] bool touches(const hand_world::GraspState& grasp) noexcept;
 
 }  // namespace isograsp::session

@@ -138,6 +138,10 @@ class ForwardingStore : public SessionStore {
   [[nodiscard]] Result<bool> may_be_used_for_research(RowId patient) override {
     return store_->may_be_used_for_research(patient);
   }
+  [[nodiscard]] Result<std::string> consent_state(RowId patient,
+                                                  const std::string& purpose) override {
+    return store_->consent_state(patient, purpose);
+  }
   [[nodiscard]] Result<std::vector<SessionRecord>> sessions(RowId patient) override {
     return store_->sessions(patient);
   }

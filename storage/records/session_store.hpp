@@ -124,6 +124,10 @@ class SessionStore {
   [[nodiscard]] virtual Result<std::vector<PooledValue>> healthy_values(const PoolQuery& query) = 0;
   /// False: the last answer about research was no, or the person's records are restricted.
   [[nodiscard]] virtual Result<bool> may_be_used_for_research(RowId patient) = 0;
+  /// The last answer about a purpose ("treatment", "research"): "given", "refused", "withdrawn";
+  /// empty: none is on record.
+  [[nodiscard]] virtual Result<std::string> consent_state(RowId patient,
+                                                          const std::string& purpose) = 0;
   [[nodiscard]] virtual Result<std::vector<SessionRecord>> sessions(RowId patient) = 0;
   /// Of all patients, newest first.
   [[nodiscard]] virtual Result<std::vector<SessionRecord>> recent_sessions(int most) = 0;

@@ -80,6 +80,18 @@ Result<bool> SqliteStore::may_be_used_for_research(RowId patient) {
   return may;
 }
 
+Result<std::string> SqliteStore::consent_state(RowId patient, const std::string& purpose) {
+  std::string state;
+  if (database_.format() < schema::kAccessFormat) return state;
+  const auto done = database_.guard("reading a consent"_text, [&] {
+    database_.sql() << "SELECT coalesce((SELECT state FROM consents WHERE patient_id = :patient "
+                       "AND purpose = :purpose ORDER BY recorded_utc DESC, id DESC LIMIT 1), '')",
+        soci::use(patient), soci::use(purpose), soci::into(state);
+  });
+  if (!done) return done.error();
+  return state;
+}
+
 Result<std::vector<TreatmentMark>> SqliteStore::treatment_marks(RowId patient) {
   std::vector<TreatmentMark> all;
   if (database_.format() < kProfileSinceFormat) return all;

@@ -74,6 +74,8 @@ class SqliteStore final : public SessionStore {
   [[nodiscard]] Result<std::vector<PooledValue>> stable_values(const PoolQuery& query) override;
   [[nodiscard]] Result<std::vector<PooledValue>> healthy_values(const PoolQuery& query) override;
   [[nodiscard]] Result<bool> may_be_used_for_research(RowId patient) override;
+  [[nodiscard]] Result<std::string> consent_state(RowId patient,
+                                                  const std::string& purpose) override;
   [[nodiscard]] Result<std::vector<SessionRecord>> sessions(RowId patient) override;
   [[nodiscard]] Result<std::vector<SessionRecord>> recent_sessions(int most) override;
   [[nodiscard]] Result<std::vector<SessionAnswer>> answers(RowId session) override;

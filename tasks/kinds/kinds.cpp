@@ -19,6 +19,8 @@
 #include "tasks/kinds/force/rest.hpp"
 #include "tasks/kinds/force/steadiness.hpp"
 #include "tasks/kinds/force/step_response.hpp"
+#include "tasks/kinds/hand/hand_opening.hpp"
+#include "tasks/kinds/hand/virtual_pick_place.hpp"
 #include "tasks/kinds/object/observe.hpp"
 #include "tasks/kinds/object/pick_place.hpp"
 #include "tasks/kinds/object/pose_targets.hpp"
@@ -46,6 +48,8 @@ constexpr std::array kKinds{
     &ForceDirectionSpec::kFacts,
     &PoseTrackingSpec::kFacts,
     &PickPlaceSpec::kFacts,
+    &HandOpeningSpec::kFacts,
+    &VirtualPickPlaceSpec::kFacts,
     &ActiveRangeSpec::kFacts,
     &PoseMatchingSpec::kFacts,
     &PoseFollowingSpec::kFacts,

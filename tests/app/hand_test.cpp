@@ -223,7 +223,7 @@ TEST(HandCommands, WhatCannotBeRecordedIsNamedAndNothingIsWritten) {
   for (const auto& [words, message] : every(std::vector<std::pair<std::string, std::string>>{
            {"record --stream leap://127.0.0.1:" + std::to_string(test::free_port()),
             "nobody answers"},
-           {"record --stream sim://hand?user=healthy", "no simulated user"},
+           {"record --stream sim://hand?user=healthy", "nobody moves the simulated hand"},
            {"record --stream udp-hand://0.0.0.0:6440", "network=confirmed"},
            {"record --stream replay://" + folder.path("none.csv"), "none.csv"}})) {
     const auto done = isograsp("hand " + words + " --duration 1 --out " + out);

@@ -101,6 +101,30 @@ TEST(Conditions, OfAnArmReferencesMayBeAdaptedToEachDayButRigAndPosturesStayTheS
   EXPECT_FALSE(pool_query(first, {}).scene_text) << "the reader compares what references come from";
 }
 
+TEST(Conditions, OfATrackedHandServiceMountingAndDelayAreTheSameAndHelpIsATaskOfItsOwn) {
+  storage::SessionRecord session;
+  session.calibration =
+      "format = \"isograsp-tracker-1\"\ntracker = \"leap\"\nservice = \"6.1\"\nmounting = "
+      "\"desk\"\ndelay = 12 # ms\n";
+  StoredTrial first;
+  first.session_record = &session;
+  first.trial.task_text =
+      read_text(std::string(ISOGRASP_SOURCE_DIR) + "/library/tasks/virtual_place.toml").value();
+  StoredTrial second = first;
+  EXPECT_EQ(english(difference(first, second)), "");
+  for (const auto& [was, is] : {std::pair{"6.1", "6.2"}, {"desk", "screen"}, {"12", "20"}}) {
+    storage::SessionRecord other = session;
+    other.calibration.replace(other.calibration.find(was), std::string(was).size(), is);
+    second.session_record = &other;
+    EXPECT_EQ(english(difference(first, second)), "other tracker, mounting or delay") << is;
+  }
+  second.session_record = &session;
+  const auto help = second.trial.task_text.find("assistance = \"off\"");
+  second.trial.task_text.replace(help, std::string("assistance = \"off\"").size(),
+                                 "assistance = \"full\"");
+  EXPECT_EQ(english(difference(first, second)), "other task parameters");
+}
+
 TEST(Conditions, OfForcesTheSceneDecidesAndTheCalibrationOfTheSensorsDoesNot) {
   storage::SessionRecord session;
   session.calibration = "one calibration";

@@ -142,9 +142,13 @@ inline Signals still_hand(const tasks::TaskSpec& spec) {
     return signals;
   }
   for (int k = 0;; ++k) {
+    tasks::HandInput hand;
+    hand.seen = true;
+    hand.frames = k + 1;
     const tasks::TaskView view = spec.apparatus() == "arm"
                                      ? (*task)->step(tasks::ArmInput{k * context.period_s, here})
-                                     : (*task)->step({});
+                                 : spec.apparatus() == "tracked_hand" ? (*task)->step(hand)
+                                                                      : (*task)->step({});
     if (view.phase == tasks::Phase::done) return signals;
     std::vector<double> row{
         k * context.period_s,

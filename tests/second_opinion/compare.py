@@ -167,7 +167,7 @@ def jobs_of(pool, program, folder, seed, refused):
 
 def main(executable, library, seed=0):
     unknown = {p.stem for p in (Path(library) / "tasks").glob("*.toml")} - set(sessions.NOT_RUN)
-    unknown -= {*sessions.LIBRARY, *sessions.ARM}
+    unknown -= {*sessions.LIBRARY, *sessions.ARM, *sessions.HAND}
     wrong = [f"task {name} of the library is in no session" for name in sorted(unknown)]
     table, valued, refused = defaultdict(lambda: [0, 0, 0, 0.0]), set(), {}
     with tempfile.TemporaryDirectory() as folder, ProcessPoolExecutor(min(2, os.cpu_count() or 1)) as pool:

@@ -188,6 +188,72 @@ def unseen_end():
                      "hold_s = 0\ndisplay_s = 0\ntime_limit_s = 1\n")
 
 
+def lose(columns, chance, share):
+    """Rows in which a tracker holds the hand, or does not see it."""
+    n, row = len(columns["t_s"]), 0
+    while row < n:
+        row += 1 + int(chance.expovariate(share))
+        columns["sample_flags"][row:row + chance.choice((1, 3, 20))] = chance.choice((1, 2))
+
+
+def hand_opening(chance):
+    """Three openings and closings of a hand that does not always move."""
+    t = np.arange(int(100 * (0.5 + 3 * (2.0 + 1.7)))) / 100
+    into = np.maximum(t - 0.5, 0)
+    part = np.where(t < 0.5, 0, 1 + 2 * (into // 3.7) + (into % 3.7 >= 2.0))
+    goal = np.where(part % 2 == 1, 0.09, 0.02) * np.where(np.isin(part, chance.sample(range(1, 7), 2)), 0.3, 1)
+    gap = np.convolve(np.append(np.full(60, goal[0]), goal), np.ones(61) / 61, "valid")
+    columns = {"t_s": t, "phase": np.where(part > 0, 1.0, 0.0), "sample_flags": np.zeros(len(t)), "segment": part,
+               "cue": np.where(part == 0, 1.0, np.where(part % 2 == 1, 8.0, 9.0)),
+               "thumb_index_gap_m": gap + noise(chance, len(t), 3e-4)}
+    for digit in ("thumb", "index", "middle", "ring", "little"):
+        for k in (1, 2, 3):
+            columns[f"{digit}_flexion{k}_rad"] = 1.5 - 10 * gap + noise(chance, len(t), 0.02)
+    lose(columns, chance, 0.01)
+    return columns, ('format = "isograsp-task-1"\nname = "Opening"\ninstruction = "None."\nkind = "hand_opening"\n'
+                     "lead_in_s = 0.5\nrepetitions = 3\nopen_s = 2\nclose_s = 1.7\n")
+
+
+def placements(chance):
+    """Objects that are carried, dropped, held at their target and let go, or are not."""
+    levels, rows = ("full", "softer", "off"), []
+    own = chance.randrange(3)
+    for number in range(6):
+        level, eased = (own, 0) if number < 4 else (chance.randrange(3), 1)
+        target, held, asked, helped = np.array([chance.uniform(-0.1, 0.1), 0.2, 0]), 0, 0, 0
+        place, leave = np.array([0, 0.11, 0]), chance.choice((0.3, 0.8, 20))
+        reach, falls, wait = chance.choice((0.5, 1.2, 30)), chance.random() < 0.4, 0.0
+        for k in range(int(100 * (reach + 1.4 + min(leave, 12)))):
+            t = k / 100
+            loose = falls and 0.3 < t < 0.62
+            held = 0.1 < t and not loose
+            share = min(1.0, max(0.0, (t - 0.62) / (reach - 0.2))) if falls else min(1.0, t / reach)
+            away = (1 - share) * np.array([0.1, -0.09, 0]) + np.array([chance.gauss(0, 5e-4) for _ in range(3)])
+            asked = reach + 1.2 < t
+            wait = wait + 0.01 if asked else 0.0
+            touched = held and wait < leave and wait < 10.5
+            helped = wait >= 10
+            tilt = (1 - share) * 0.5
+            rows.append([1.0 if asked else 2.0, number, level, eased, asked, helped, held and touched, touched,
+                         k < 10 or (loose and t > 0.45), *(target + away), *target, math.cos(tilt / 2), math.sin(tilt / 2), 0, 0,
+                         1, 0, 0, 0])
+    names = ["phase", "placement", "assistance", "eased", "let_go_asked", "object_helped", "object_held",
+             "object_touched", "object_supported", *(f"{side}_{a}_m" for side in ("actual", "target") for a in "xyz"),
+             *(f"{side}_q{c}" for side in ("actual", "target") for c in "wxyz")]
+    values = np.array(rows, float)
+    columns = {"t_s": np.arange(len(values)) / 100, "sample_flags": np.zeros(len(values)),
+               "pause_cause": np.zeros(len(values))} | {name: values[:, k].copy() for k, name in enumerate(names)}
+    lose(columns, chance, chance.choice((0.002, 0.01)))
+    for _ in range(3):  # pauses, out of sight or of the therapist
+        first = chance.randrange(len(values))
+        span = slice(first, first + chance.choice((20, 150)))
+        columns["phase"][span], columns["pause_cause"][span] = 4, chance.choice((1, 4))
+        columns["sample_flags"][span] = 2
+    return columns, ('format = "isograsp-task-1"\nname = "Placing"\ninstruction = "None."\nkind = "virtual_pick_place"\n'
+                     f'assistance = "{levels[own]}"\nlevel = {chance.choice((1, 2, 3))}\n[[placement]]\n'
+                     'object = "slim_cuboid"\ntarget = 1\n')
+
+
 def cases(seed):
     """Name, columns, text of the task (None: without a task)."""
     chance = random.Random(seed)
@@ -204,6 +270,9 @@ def cases(seed):
     yield "arm_unseen_end", *unseen_end()
     for k in range(20):
         yield f"drinking_{k}", *drinking(random.Random(f"drinking {k} {seed}"))
+    for k in range(12):
+        yield f"hand_opening_{k}", *hand_opening(random.Random(f"hand {k} {seed}"))
+        yield f"placements_{k}", *placements(random.Random(f"placing {k} {seed}"))
     yield "pair", tracking(chance), None
     yield "pair_uneven", uneven(tracking(chance), chance), None
     yield "motion", motion(chance), None

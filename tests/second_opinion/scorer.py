@@ -7,6 +7,7 @@ import arm
 import cues
 import digits
 import drinking
+import hand
 import handling
 import holding
 import recorded
@@ -163,6 +164,7 @@ KINDS |= {name: getattr(handling, "score_" + name)
           for name in ("pose_targets", "pose_tracking", "pick_place", "observe")}
 KINDS |= {name: getattr(arm, "score_" + name) for name in ("pose_matching", "pose_following", "active_range")}
 KINDS["drinking"] = drinking.score_drinking
+KINDS |= {name: getattr(hand, "score_" + name) for name in ("hand_opening", "virtual_pick_place")}
 KINDS["recorded"] = recorded.score_recorded
 
 

@@ -11,7 +11,10 @@ knob_turn knob_turn_rate elastic_block lift_weight pose_tracking_x pose_tracking
 free_handling""".split()
 ARM = """arm_familiarisation arm_follow arm_follow_half arm_range_deviation arm_range_flexion arm_range_forearm arm_own_range arm_screw arm_screw_half
 arm_wrist""".split()
-NOT_RUN = {"grip_sine_fixed": "needs maxima of two days; force_tracking is compared in 20 other tasks",
+HAND = ["hand_opening", "virtual_place_first"]
+NOT_RUN = {"virtual_place": "its placements are long; virtual_pick_place is compared in five other tasks",
+           "virtual_place_training": "likewise",
+           "grip_sine_fixed": "needs maxima of two days; force_tracking is compared in 20 other tasks",
            "arm_drinking": "of another rig; drinking is compared in signals made by hand"}
 ADAPTIVE = ("grip_sine_training", "two_target_training")  # their level stands in [chosen]
 
@@ -81,6 +84,16 @@ OWN_ARM = {
                        'repetitions = 1\n',
 }
 OWN |= OWN_ARM
+PLACING = 'kind = "virtual_pick_place"\n'
+SLIM = '[[placement]]\nobject = "slim_cuboid"\ntarget = 1\n[[placement]]\nobject = "slim_cylinder"\ntarget = 4\n'
+OWN_HAND = {
+    "own_hand_quick": 'kind = "hand_opening"\nlead_in_s = 0\nrepetitions = 3\nopen_s = 0.8\nclose_s = 1.5\n',
+    "own_hand_alone": PLACING + 'assistance = "off"\nlevel = 1\n' + SLIM,
+    "own_hand_narrow": PLACING + 'assistance = "softer"\neases = true\nlevel = 2\n' + SLIM,
+    "own_hand_small": PLACING + 'assistance = "full"\nlevel = 3\n[[placement]]\nobject = "small_cuboid"\n'
+                      'target = 1\n',
+}
+OWN |= OWN_HAND
 MAXIMA = ["resting_force", "maximum_grip", "maximum_thumb", "maximum_index", "maximum_middle"]
 # One of each kind; a patient gets some of them.
 CORE = ["grip_sine", "let_go_short", "two_target", "maximum_opening", "grip_trapezoid", "open_on_cue", "pick_place",
@@ -100,6 +113,11 @@ def of_arm(tasks):
     return tasks[0] in ARM or tasks[0] in OWN_ARM
 
 
+def of_hand(tasks):
+    """Tasks of a tracked hand."""
+    return tasks[0] in HAND or tasks[0] in OWN_HAND
+
+
 def trials(tasks):
     """How many there are of these tasks."""
     return sum(REPEATED.get(task, 1) for task in tasks)
@@ -112,7 +130,10 @@ def sessions(seed):
         # Each begins with other tasks: the first one of a kind is the one whose signals are damaged.
         device = f"sim://arm?patient={patient}&seed={seed + 20 + k}"
         yield f"arm_{patient}_{hand}", device, hand, arm[4 * k:] + arm[:4 * k]
-    everything = LIBRARY + [task for task in OWN if task not in OWN_ARM]
+    hand_tasks = HAND + list(OWN_HAND)
+    for k, (user, hand) in enumerate((("healthy", "right"), ("paretic", "left"))):
+        yield f"hand_{user}", f"sim://hand?user={user}&seed={seed + 40 + k}", hand, hand_tasks[k:] + hand_tasks[:k]
+    everything = LIBRARY + [task for task in OWN if task not in OWN_ARM and task not in OWN_HAND]
     yield "everything", f"sim://healthy?seed={seed + 7}", "right", everything
     step = 4
     for k, patient in enumerate(PATIENTS):
@@ -122,17 +143,19 @@ def sessions(seed):
 
 def complete(seed):
     """Names of the sessions in which every task has a trial: nobody is too weak for one."""
-    return [name for name, *_, tasks in sessions(seed) if name == "everything" or of_arm(tasks)]
+    return [name for name, *_, tasks in sessions(seed) if name in ("everything", "hand_healthy") or of_arm(tasks)]
 
 
 def write_protocol(folder, name, tasks):
     """A protocol of these tasks, with the tasks of our own beside it."""
-    first = "start_posture" if of_arm(tasks) else "instrument_zero"
+    first = "start_posture" if of_arm(tasks) else "hand_entry" if of_hand(tasks) else "instrument_zero"
     lines = ['format = "isograsp-protocol-1"', f'name = "{name}"', "[[step]]", f'kind = "{first}"']
     for task in tasks:
         lines += ["[[step]]", 'kind = "task"', f'task = "{task}.toml"']
         if of_arm(tasks):  # so many movements are no assessment of an arm, and it rests between them
             lines += ["practice = true", "rest_s = 60", f"repetitions = {REPEATED.get(task, 1)}"]
+        if of_hand(tasks):  # help is training
+            lines += ["practice = true", "rest_s = 60"]
         if task in ADAPTIVE:
             lines.append("adaptive = true")
         if task in OWN:

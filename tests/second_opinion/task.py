@@ -28,6 +28,8 @@ DEFAULTS = {
     "pose_following": {"leg_s": 4, "rounds": 3, "way_percent": 100, "scale": "none", "lead_in_s": 3},
     "drinking": {"lead_in_s": 2, "duration_s": 20} | {
         f"{part}_marker": part.upper() for part in ("hand", "glass", "face", "trunk", "shoulder", "elbow", "wrist")},
+    "hand_opening": {"lead_in_s": 2, "repetitions": 5, "open_s": 4, "close_s": 4},
+    "virtual_pick_place": {"eases": False, "level": 3, "table_m": 0.1},
     "recorded": {"beats_per_cycle": 1, "cycles_left_out": 0},
 }
 CLOSED = ("grip", "grip_mean", "sum")  # channels in which all three digits press towards each other

@@ -236,7 +236,12 @@ VARIATIONS = (flagged, emptied, paused, uneven, jittered, cut, at_once, bare, od
               fading, huge, tiny)
 
 
+HAND_VARIATIONS = (flagged, emptied, paused, uneven, jittered, cut, odd, held)
+
+
 def variations_of(kind):
+    if kind in ("hand_opening", "virtual_pick_place"):
+        return HAND_VARIATIONS
     return ARM_VARIATIONS if kind in ("pose_matching", "pose_following", "active_range") else VARIATIONS
 
 

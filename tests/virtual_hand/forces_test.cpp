@@ -137,5 +137,18 @@ TEST(Placement, AnAxisHasNoDirection) {
   EXPECT_WITHIN(main_axis_angle(over, turned), 0.3, kRounding);
 }
 
+TEST(LostShare, APlacementWithMoreThanATenthLostIsNotScored) {
+  LostShare share;
+  EXPECT_FALSE(share.can_be_scored()) << "nothing was seen of it";
+  for (int k = 0; k < 90; ++k) share.add(false);
+  for (int k = 0; k < 10; ++k) share.add(true);
+  EXPECT_TRUE(share.can_be_scored());
+  share.add(true);
+  EXPECT_FALSE(share.can_be_scored());
+  share.begin();
+  share.add(false);
+  EXPECT_EQ(share.share(), 0.0);
+}
+
 }  // namespace
 }  // namespace isograsp::forces_test

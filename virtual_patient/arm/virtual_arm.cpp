@@ -203,7 +203,9 @@ VirtualArm::Mind::Intention VirtualArm::Mind::asked(const Stimulus& picture) con
     case Cue::squeeze:
     case Cue::press:
     case Cue::follow:
-    case Cue::reproduce: return {};
+    case Cue::reproduce:
+    case Cue::open:
+    case Cue::close: return {};
   }
   if (picture.progress.getting_ready) return {};
   if (picture.turn) return {Aim::turn, {}, *picture.turn};

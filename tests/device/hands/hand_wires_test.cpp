@@ -160,7 +160,7 @@ TEST(LeapWire, UrisThatAreWrongNameTheRemedy) {
            {"udp-hand://0.0.0.0", "every computer of the network could send hands"},
            {"udp-hand://192.168.0.7:7000", "network=confirmed"},
            {"udp-hand://0.0.0.0?network=yes", "'yes' confirms nothing"},
-           {"sim://hand?user=healthy", "no simulated user"},
+           {"sim://hand?user=healthy", "nobody moves the simulated hand"},
            {"qtm://127.0.0.1", "no tracker of hands is called qtm://"},
            {"replay://", "no file is named"},
            {"replay:///no/such/file.csv", "/no/such/file.csv"}}))

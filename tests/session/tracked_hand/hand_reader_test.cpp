@@ -150,18 +150,5 @@ TEST(HandReader, EndsWithItsRecordingAndAllocatesNothing) {
   EXPECT_WITHIN(reader.hand().frame.joints[kWristJoint].x(), 0.25, 0.006);
 }
 
-TEST(LostShare, APlacementWithMoreThanATenthLostIsNotScored) {
-  LostShare share;
-  EXPECT_FALSE(share.can_be_scored()) << "nothing was seen of it";
-  for (int k = 0; k < 90; ++k) share.add(false);
-  for (int k = 0; k < 10; ++k) share.add(true);
-  EXPECT_TRUE(share.can_be_scored());
-  share.add(true);
-  EXPECT_FALSE(share.can_be_scored());
-  share.begin();
-  share.add(false);
-  EXPECT_EQ(share.share(), 0.0);
-}
-
 }  // namespace
 }  // namespace isograsp::session::hand_reader_test

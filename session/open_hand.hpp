@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// leap://, udp-hand://, sim://hand, replay:// of a recorded hand: a hand that a tracker sees.
+#pragma once
+
+#include "session/open_apparatus.hpp"
+
+namespace isograsp::session {
+
+/// `size=other`: the size of the hand is that of the other one. Of sim://hand the person: user,
+/// seed. Errors name the URI.
+[[nodiscard]] Result<std::unique_ptr<Apparatus>> open_hand(const ApparatusRequest& request);
+
+/// replay:// of a table of a tracked hand: its first line says so.
+[[nodiscard]] bool is_recorded_hand(const Uri& uri);
+
+}  // namespace isograsp::session

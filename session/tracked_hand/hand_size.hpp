@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The size of a hand as the database keeps it: a row of lengths of a right hand, so that the size
+// of the other hand is the same row for this side (the mirror stands in
+// virtual_hand/hand_model.hpp). Not real-time.
+#pragma once
+
+#include "core/result.hpp"
+#include "storage/records/records.hpp"
+#include "virtual_hand/hand_model.hpp"
+
+namespace isograsp::session {
+
+/// Adds length and breadth of the hand, bases and links of its digits to `record`.
+void add_hand_size(const virtual_hand::HandModel& hand, storage::PreparationRecord& record);
+/// The hand of this size; axes and limits are those of `model`. Errors: a column is missing.
+[[nodiscard]] Result<virtual_hand::HandModel> hand_of_size(const storage::PreparationRecord& record,
+                                                           const virtual_hand::HandModel& model,
+                                                           Hand side);
+
+}  // namespace isograsp::session

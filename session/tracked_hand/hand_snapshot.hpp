@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What both screens show of a session with a tracked hand, copied out of the acquisition thread. SI
+// units; the world of the tracker, which is that of the screen: x right, y up, z to the viewer.
+#pragma once
+
+#include <optional>
+
+#include "device/hand/hand_device.hpp"
+#include "hand/stimulus.hpp"
+#include "hand_world/assisted_grasp.hpp"
+#include "session/acquisition/moment.hpp"
+#include "session/tracked_hand/hand_entry.hpp"
+#include "session/tracked_hand/hand_reader.hpp"
+#include "tasks/task_view.hpp"
+#include "virtual_hand/hand_frame.hpp"
+
+namespace isograsp::session {
+
+/// What an entry test asks for, while it runs.
+struct EntryShown {
+  HandEntry::Stage stage = HandEntry::Stage::rest;
+  bool open = true;  ///< else the hand is to close
+  int openings = 0;  ///< so far
+};
+
+/// Copying it takes no memory from the heap. Published once per frame.
+struct HandSnapshot : Moment {
+  HandHealth health;
+  /// A camera looks at the person: from the start of a live tracker to its end.
+  bool camera_on = false;
+  ShownHand hand;
+  double thumb_index_gap_m = tasks::kNotMeasured;
+  std::optional<virtual_hand::FittedPose> pose;  ///< of the hand as it was seen last
+  double opening_m = 0.0;                        ///< of the entry test; 0: none was passed
+  std::optional<EntryShown> entry;
+  tasks::SpecialView special;    ///< of the running trial's task, beside its progress
+  hand_world::GraspState grasp;  ///< of a task with an object; else blank
+};
+
+/// What is on the patient's screen at this frame, decided here alone. Real-time safe.
+[[nodiscard]] Stimulus screen_of(const HandSnapshot& now) noexcept;
+
+}  // namespace isograsp::session

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "tests/kinematics/support.hpp"
+#include "tests/support/every.hpp"
 #include "tests/support/within.hpp"
 
 namespace isograsp::posture_edit_test {
@@ -109,7 +110,7 @@ TEST(PostureEdit, LinksStayPosesAfterAnyNumberOfChanges) {
                                  turn_about(kAxes[static_cast<std::size_t>(i / 3) % 3], 0.1).q},
                                 kBoth[static_cast<std::size_t>(i) % 2]);
   constexpr double kUnit = 1e-15;  // what a file takes as a unit quaternion
-  for (const Pose& X_L : posture.X_L) {
+  for (const Pose& X_L : test::every(posture.X_L)) {
     EXPECT_TRUE(X_L.p.allFinite());
     EXPECT_WITHIN(X_L.q.norm(), 1.0, kUnit);
   }

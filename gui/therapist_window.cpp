@@ -117,7 +117,7 @@ QWidget* TherapistWindow::make_header() {
   simulated_->setObjectName("simulated");
   simulated_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   simulated_->setToolTip(
-      tr("Forces come from software or a file, not from a person at this device"));
+      tr("What is measured comes from software or a file, not from a person here"));
   patient_screen_ = new QPushButton(tr("Patient screen"));
   patient_screen_->setObjectName("patient_screen");
   describe(*patient_screen_, tr("Patient screen"),
@@ -182,17 +182,16 @@ QWidget* TherapistWindow::make_navigation() {
 }
 
 void TherapistWindow::add_page(Page page, const QString& title, QWidget* content) {
-  auto* tab = new QPushButton(title);
+  auto* tab = new QPushButton;
   const int number = static_cast<int>(page) + 1;
   tab->setObjectName(QStringLiteral("page_%1").arg(number));
   tab->setProperty("tab", true);
   tab->setCheckable(true);
   tab->setMinimumHeight(scaled(40));
-  tab->setShortcut(QKeySequence(Qt::CTRL | (Qt::Key_0 + number)));
-  describe(*tab, title, tr("%1 (Ctrl+%2)").arg(title).arg(number));
   auto* column = static_cast<QVBoxLayout*>(navigation_->layout());
   column->insertWidget(column->count() - 1, tab);
   tabs_.push_back(tab);
+  name_tab(page, title);
   // Large letters need more room than a small display has.
   auto* scroll = new QScrollArea;
   scroll->setWidget(content);
@@ -203,6 +202,15 @@ void TherapistWindow::add_page(Page page, const QString& title, QWidget* content
   content->setAutoFillBackground(false);
   pages_->addWidget(scroll);
   connect(tab, &QPushButton::clicked, this, [this, page] { show_page(page); });
+}
+
+void TherapistWindow::name_tab(Page page, const QString& title) {
+  QPushButton& tab = *tabs_[static_cast<std::size_t>(page)];
+  if (tab.text() == title) return;
+  const int number = static_cast<int>(page) + 1;
+  tab.setText(title);
+  tab.setShortcut(QKeySequence(Qt::CTRL | (Qt::Key_0 + number)));  // a new text takes it away
+  describe(tab, title, tr("%1 (Ctrl+%2)").arg(title).arg(number));
 }
 
 void TherapistWindow::make_pages() {
@@ -332,7 +340,9 @@ void TherapistWindow::refresh() {
   device_words_->setText(device_words_->fontMetrics().elidedText(words, Qt::ElideRight,
                                                                  device_words_->maximumWidth()));
   device_words_->setToolTip(words);
-  device_words_->setAccessibleName(tr("Device: %1").arg(words));
+  device_words_->setAccessibleName(
+      (view.start_posture ? tr("Cameras: %1") : tr("Device: %1")).arg(words));
+  name_tab(Page::device, view.start_posture ? tr("Cameras") : tr("Device"));
 }
 
 /// While nobody is in, the login stands in the place of everything else, and no key but that which

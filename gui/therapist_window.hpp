@@ -64,6 +64,7 @@ class TherapistWindow final : public QMainWindow {
   void watch();
   QWidget* make_navigation();
   void make_pages();
+  void name_tab(Page page, const QString& title);
   void add_page(Page page, const QString& title, QWidget* content);
   [[nodiscard]] QWidget* make_patient();
   void show_patient();

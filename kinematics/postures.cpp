@@ -141,18 +141,23 @@ std::vector<std::string> chain_of(const Rig& rig) {
   return chain;
 }
 
+Posture part_of_the_way(const Posture& initial, Posture posture, double way) {
+  for (std::size_t l = 0; l < posture.X_L.size(); ++l) {
+    const Pose change = compose(inverse(initial.X_L[l]), posture.X_L[l]);
+    const Vec3 turn = way * rotation_vector(change.q);
+    const double angle_rad = turn.norm();
+    const Quat q =
+        angle_rad > 0.0 ? Quat(Eigen::AngleAxisd(angle_rad, turn / angle_rad)) : Quat::Identity();
+    posture.X_L[l] = compose(initial.X_L[l], {way * change.p, q});
+    posture.X_L[l].q.normalize();
+  }
+  return posture;
+}
+
 Postures part_of_the_way(Postures library, double way) {
   const Posture initial = library.postures.front();
   for (Posture& posture : library.postures)
-    for (std::size_t l = 0; l < posture.X_L.size(); ++l) {
-      const Pose change = compose(inverse(initial.X_L[l]), posture.X_L[l]);
-      const Vec3 turn = way * rotation_vector(change.q);
-      const double angle_rad = turn.norm();
-      const Quat q =
-          angle_rad > 0.0 ? Quat(Eigen::AngleAxisd(angle_rad, turn / angle_rad)) : Quat::Identity();
-      posture.X_L[l] = compose(initial.X_L[l], {way * change.p, q});
-      posture.X_L[l].q.normalize();
-    }
+    posture = part_of_the_way(initial, std::move(posture), way);
   return library;
 }
 

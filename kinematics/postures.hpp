@@ -81,6 +81,8 @@ class StartPostureMean {
 /// each change of a link the translation is shortened and the rotation turned that far about its
 /// axis.
 [[nodiscard]] Postures part_of_the_way(Postures library, double way);
+/// One posture of it. @pre both have the same links
+[[nodiscard]] Posture part_of_the_way(const Posture& initial, Posture posture, double way);
 
 /// How far a person's own angle of a link goes (kinematics/range_of_motion.hpp).
 struct OwnRange {

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/demonstration.hpp"
 
+#include <utility>
+
+#include "core/latest.hpp"
 #include "device/config/uri.hpp"
 #include "session/acquisition/acquisition.hpp"
+#include "session/arm/marker_arm.hpp"
+#include "session/arm/start_posture.hpp"
+#include "session/open_arm.hpp"
 #include "session/platform/force_platform.hpp"
 #include "session/platform/prepare_trial.hpp"
 #include "session/simulated_person.hpp"
@@ -35,15 +41,42 @@ tasks::ForceReferences completed(const tasks::ForceReferences& known) {
   return all;
 }
 
-}  // namespace
+/// The next frame of the acquisition, of which nothing is recorded; false: there is none.
+bool go_on(Acquisition& acquisition) {
+  if (!acquisition.tick()) return false;
+  for (RecordItem unwanted; acquisition.records().pop(unwanted);) {
+  }
+  return true;
+}
 
-Result<Demonstration> demonstrate(const tasks::TaskSpec& spec,
-                                  const tasks::ForceReferences& references, Hand hand,
-                                  const std::string& library) {
+/// Frames of the trial that was begun, as far as they are shown: a pause is left out, since a
+/// demonstration has no reason for one that a patient could see.
+template <class Frame>
+void keep_trial(Acquisition& acquisition, Latest<Frame>& snapshots, double period_s,
+                std::vector<Frame>& frames) {
+  const auto most = static_cast<std::size_t>(kLongestDemonstration_s / period_s);
+  bool begun = false;
+  for (std::size_t k = 0; k < most && go_on(acquisition); ++k) {
+    const Frame& now = snapshots.read();
+    begun = begun || now.stage == Stage::trial;
+    if (begun && now.stage != Stage::trial && now.stage != Stage::paused) break;
+    if (now.stage == Stage::trial) frames.push_back(now);
+  }
+}
+
+Demonstration begun_with(const tasks::TaskSpec& spec, double period_s) {
+  Demonstration shown;
+  shown.task = std::make_shared<tasks::TaskSpec>(spec);
+  shown.period_s = shown.context.period_s = period_s;
+  return shown;
+}
+
+Result<Demonstration> by_hand(const tasks::TaskSpec& spec, const DemonstrationFor& whom,
+                              const std::string& library) {
   ApparatusInfo shown_with;
   shown_with.kind = ForcePlatform::kKind;
   if (auto fits = check_apparatus(spec.apparatus(), shown_with); !fits) return fits.error();
-  const std::string text = "sim://healthy?seed=1&hand=" + std::string(name_of(hand));
+  const std::string text = "sim://healthy?seed=1&hand=" + std::string(name_of(whom.hand));
   const auto uri = Uri::parse(text);
   if (!uri) return uri.error();
   auto person = simulated_person(*uri, library);
@@ -57,29 +90,68 @@ Result<Demonstration> demonstrate(const tasks::TaskSpec& spec,
   if (auto started = platform.start(clock); !started) return started.error();
   Acquisition acquisition(platform, clock);
 
-  Demonstration shown;
-  shown.task = std::make_shared<tasks::TaskSpec>(spec);
-  shown.period_s = platform.info().period_s;
-  shown.context.period_s = shown.period_s;
-  shown.context.references = completed(references);
-  const auto scene = read_trial_scene(spec, hand, {}, library);
+  Demonstration shown = begun_with(spec, platform.info().period_s);
+  shown.context.references = completed(whom.references);
+  const auto scene = read_trial_scene(spec, whom.hand, {}, library);
   if (!scene) return scene.error();
   if (scene->scene) shown.scene = std::make_shared<Scene>(*scene->scene);
   const auto setup = prepare_trial(spec, shown.context, *scene);
   if (!setup) return setup.error();
   (void)acquisition.commands().push({.kind = Command::Kind::begin, .setup = setup->get()});
-  const auto most = static_cast<std::size_t>(kLongestDemonstration_s / shown.period_s);
-  bool begun = false;
-  while (shown.frames.size() < most && acquisition.tick()) {
-    for (RecordItem unwanted; acquisition.records().pop(unwanted);) {
-    }
-    const Snapshot& now = platform.snapshots().read();
-    begun = begun || now.stage == Stage::trial;
-    if (begun && now.stage != Stage::trial) break;
-    if (begun) shown.frames.push_back(now);
-  }
+  keep_trial(acquisition, platform.snapshots(), shown.period_s, shown.frames);
   platform.stop();
   return shown;
+}
+
+Result<Demonstration> by_arm(const tasks::TaskSpec& spec, const DemonstrationFor& whom,
+                             const std::string& library) {
+  const auto uri = Uri::parse("sim://arm?patient=healthy&seed=1");
+  if (!uri) return uri.error();
+  const auto opened = open_arm({*uri, whom.hand, library, std::nullopt});
+  if (!opened) return opened.error();
+  Apparatus& apparatus = **opened;
+  auto& arm = dynamic_cast<MarkerArm&>(apparatus);  // what open_arm() opens
+  ManualClock clock;
+  if (auto started = arm.start(clock); !started) return started.error();
+  Acquisition acquisition(arm, clock);
+
+  Demonstration shown = begun_with(spec, arm.info().period_s);
+  shown.arm = arm.setup();
+  shown.context.ranges = whom.ranges;
+  const auto posture = apparatus.make_preparation({});
+  if (!posture) return posture.error();
+  (void)acquisition.commands().push(
+      {.kind = Command::Kind::prepare, .preparation = posture->get()});
+  const StartPostureLimits limits;
+  for (double waited_s = 0.0; !arm.snapshots().read().zeroed; waited_s += shown.period_s)
+    if (waited_s > 2.0 * limits.longest_s || !go_on(acquisition))
+      return failed("the simulated arm was not seen in its start posture"_text,
+                    "use the rigs of the library as they are shipped"_text);
+  const auto setup = apparatus.make_trial(spec, shown.context);
+  if (!setup) return setup.error();
+  (void)acquisition.commands().push({.kind = Command::Kind::begin, .setup = setup->get()});
+  keep_trial(acquisition, arm.snapshots(), shown.period_s, shown.arm_frames);
+  arm.stop();
+  return shown;
+}
+
+}  // namespace
+
+Text why_not_shown(const tasks::TaskSpec& spec) {
+  // Markers alone are looked at: of what is done with them nothing is on the screen.
+  if (spec.kind->markers != nullptr)
+    return "It is done with a real thing, of which the screen shows nothing: show it yourself."_text;
+  return {};
+}
+
+Result<Demonstration> demonstrate(const tasks::TaskSpec& spec, const DemonstrationFor& whom,
+                                  const std::string& library) {
+  if (!why_not_shown(spec).empty())
+    return refused("is done with a real thing, of which the screen shows nothing"_text,
+                   "show it yourself"_text)
+        .at(spec.file);
+  return spec.apparatus() == MarkerArm::kKind ? by_arm(spec, whom, library)
+                                              : by_hand(spec, whom, library);
 }
 
 }  // namespace isograsp::session

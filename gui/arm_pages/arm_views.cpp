@@ -52,7 +52,8 @@ ArmViews::ArmViews(QWidget* parent) : QWidget(parent) {
 }
 
 void ArmViews::show_arm(const session::ArmSnapshot& now,
-                        const std::shared_ptr<const ArmSpace>& space) {
+                        const std::shared_ptr<const ArmSpace>& space,
+                        const std::optional<Pose>& axes_W) {
   const Vec3 centre_W = now.start_p_WO.allFinite()    ? now.start_p_WO
                         : now.last_X_WO.p.allFinite() ? now.last_X_WO.p
                                                       : Vec3(Vec3::Zero());
@@ -72,6 +73,7 @@ void ArmViews::show_arm(const session::ArmSnapshot& now,
   const bool in_trial = now.stage == session::Stage::trial || now.stage == session::Stage::paused;
   if (in_trial && task.reference_shown) drawn.target = space->box_at(task.X_WR, centre_W);
   drawn.matched = in_trial && task.matched;
+  if (axes_W) drawn.axes = space->pose(*axes_W, centre_W);
   drawn_ = std::move(drawn);
   fit();
   update();
@@ -87,6 +89,8 @@ void ArmViews::show_nothing() {
 /// All that is drawn lies in the picture.
 void ArmViews::fit() {
   std::vector<Vec3> all = drawn_->markers;
+  for (const auto& p_S : drawn_->chain)
+    if (p_S) all.push_back(*p_S);
   for (const auto& box : {drawn_->object, drawn_->target})
     if (box)
       for (const Vec3& corner : box_corners(drawn_->size_m, *box)) all.push_back(corner);
@@ -111,9 +115,38 @@ void ArmViews::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   constexpr double kApart_px = 6.0;
-  const double width = (this->width() - (kViews - 1) * kApart_px) / kViews;
-  for (int view = 0; view < kViews; ++view)
-    paint_view(painter, QRectF(view * (width + kApart_px), 0.0, width, height()), view);
+  const auto cell = [this](int columns, int rows) {
+    return QSizeF((width() - (columns - 1) * kApart_px) / columns,
+                  (height() - (rows - 1) * kApart_px) / rows);
+  };
+  const auto shorter_side = [](const QSizeF& size) {
+    return std::min(size.width(), size.height());
+  };
+  // In a row, or two above one: where the arm is larger.
+  const int columns = shorter_side(cell(2, 2)) > shorter_side(cell(kViews, 1)) ? 2 : kViews;
+  const QSizeF size = cell(columns, columns == kViews ? 1 : 2);
+  for (int view = 0; view < kViews; ++view) {
+    const QPointF corner((view % columns) * (size.width() + kApart_px),
+                         (view / columns) * (size.height() + kApart_px));
+    paint_view(painter, QRectF(corner, size), view);
+  }
+}
+
+/// Letters tell them apart, too; an axis that points at the viewer is its letter alone.
+void ArmViews::paint_axes(QPainter& painter, const std::function<QPointF(const Vec3&)>& at) const {
+  constexpr double kAxis_m = 0.07;
+  constexpr double kLetter = 1.3;  // of its length from the origin
+  const std::array<QString, 3> letters{QStringLiteral("x"), QStringLiteral("y"),
+                                       QStringLiteral("z")};
+  const QPointF origin = at(drawn_->axes->p);
+  for (std::size_t axis = 0; axis < letters.size(); ++axis) {
+    const Vec3 along = drawn_->axes->q * Vec3::Unit(static_cast<Eigen::Index>(axis)) * kAxis_m;
+    painter.setPen(QPen(look::kFingers[axis], 2.0, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(origin, at(drawn_->axes->p + along));
+    painter.drawText(
+        QRectF(at(drawn_->axes->p + kLetter * along) - QPointF(10, 10), QSizeF(20, 20)),
+        Qt::AlignCenter, letters[axis]);
+  }
 }
 
 void ArmViews::paint_view(QPainter& painter, const QRectF& area, int view) const {
@@ -154,6 +187,7 @@ void ArmViews::paint_view(QPainter& painter, const QRectF& area, int view) const
     if (drawn_->target) draw_box(*drawn_->target, QPen(look::kFingers[1], 1.6, Qt::DashLine));
     if (drawn_->object)
       draw_box(*drawn_->object, QPen(drawn_->matched ? look::kReady : look::kAccent, 1.8));
+    if (drawn_->axes) paint_axes(painter, at);
   }
   painter.setPen(look::kQuietText);
   painter.drawText(area.adjusted(6, 3, -6, -3), Qt::AlignLeft | Qt::AlignTop,

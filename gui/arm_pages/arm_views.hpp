@@ -5,6 +5,7 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -21,7 +22,9 @@ class ArmViews final : public QWidget {
 
  public:
   explicit ArmViews(QWidget* parent = nullptr);
-  void show_arm(const session::ArmSnapshot& now, const std::shared_ptr<const ArmSpace>& space);
+  /// `axes_W`: x, y and z of a frame are drawn at its origin.
+  void show_arm(const session::ArmSnapshot& now, const std::shared_ptr<const ArmSpace>& space,
+                const std::optional<Pose>& axes_W = std::nullopt);
   void show_nothing();
 
  protected:
@@ -34,11 +37,13 @@ class ArmViews final : public QWidget {
     std::vector<std::optional<Vec3>> chain;  ///< nothing: not seen
     std::optional<Pose> object;
     std::optional<Pose> target;
+    std::optional<Pose> axes;
     Vec3 size_m = Vec3::Zero();  ///< of the object
     bool matched = false;
   };
   void fit();
   void paint_view(QPainter& painter, const QRectF& area, int view) const;
+  void paint_axes(QPainter& painter, const std::function<QPointF(const Vec3&)>& at) const;
 
   std::optional<Drawn> drawn_;
   Vec3 middle_m_ = Vec3::Zero();  ///< of all three views; moves only when it has to

@@ -9,6 +9,7 @@
 #include "core/files.hpp"
 #include "grasp_model/plan.hpp"
 #include "gui/library/task_groups.hpp"
+#include "kinematics/postures.hpp"
 #include "session/library/library.hpp"
 #include "tasks/waveform.hpp"
 
@@ -104,6 +105,19 @@ std::string free_name(const std::string& base, const std::set<std::string>& take
   return name;
 }
 
+/// The first of "base", "base (2)", "base (3)" … that is not taken.
+std::string free_number(const std::string& base, const std::set<std::string>& taken,
+                        const char* opening, const char* ending) {
+  std::string name = base;
+  for (int n = 2; taken.contains(name); ++n) name = base + opening + std::to_string(n) + ending;
+  return name;
+}
+
+/// The file of postures that a task names; empty: none.
+std::string postures_of(const tasks::TaskSpec& spec) {
+  return spec.kind->postures == nullptr ? std::string() : spec.kind->postures(spec.kind);
+}
+
 constexpr Words kWriteRemedy = "check the disk and the permissions of its folder"_text;
 
 Result<void> make_own_folder(const fs::path& folder) {
@@ -121,9 +135,10 @@ std::string_view folder_of(LibraryKind kind) noexcept {
   switch (kind) {
     case LibraryKind::tasks: return "tasks";
     case LibraryKind::scenes: return "scenes";
-    case LibraryKind::protocols: break;
+    case LibraryKind::protocols: return "protocols";
+    case LibraryKind::postures: break;
   }
-  return "protocols";
+  return "postures";
 }
 
 std::string name_in(std::string_view text) {
@@ -206,12 +221,20 @@ Result<void> LibraryFiles::check(LibraryKind kind, const std::string& text,
           error.field = "scene";
           return error;
         }
+      if (const auto postures = postures_of(*spec); !postures.empty())
+        if (auto there = session::find_in_library(shipped_, "postures", postures, path); !there)
+          return Error(there.error()).about("postures");
       return {};
     }
     case LibraryKind::scenes: {
       const auto scene = parse_scene(text, path);
       if (!scene) return scene.error();
       if (const auto plan = Plan::compile(*scene, kLibraryHold_s); !plan) return plan.error();
+      return {};
+    }
+    case LibraryKind::postures: {
+      const auto postures = parse_postures(text, path);
+      if (!postures) return postures.error();
       return {};
     }
     case LibraryKind::protocols: break;
@@ -245,18 +268,36 @@ Result<void> LibraryFiles::check_name(LibraryKind kind, const std::string& text,
   return {};
 }
 
+LibraryFiles::Taken LibraryFiles::taken(LibraryKind kind) const {
+  Taken all;
+  for (const auto& other : list(kind)) {
+    all.names.insert(other.name);
+    all.stems.insert(fs::path(other.path).stem());
+  }
+  std::error_code
+      absent;  // an unsaved text of a file that is gone would become that of the new one
+  for (const auto& draft :
+       fs::directory_iterator(fs::path(own_) / "drafts" / folder_of(kind), absent))
+    all.stems.insert(draft.path().stem());
+  return all;
+}
+
+Result<LibraryEntry> LibraryFiles::add(LibraryKind kind, const std::string& stem,
+                                       const std::string& text) const {
+  const auto [names, stems] = taken(kind);
+  LibraryEntry entry{kind, "", free_number(name_in(text), names, " (", ")"), "", true};
+  const auto folder = fs::path(own_) / folder_of(kind);
+  entry.path = folder / (free_number(stem, stems, "_", "") + ".toml");
+  const auto named = with_name(text, entry.name);
+  if (auto good = check(kind, named, entry.path); !good) return good.error();
+  if (auto made = make_own_folder(folder); !made) return made.error();
+  if (auto written = write_text(entry.path, named); !written) return written.error();
+  return entry;
+}
+
 Result<LibraryEntry> LibraryFiles::duplicate(const LibraryEntry& entry,
                                              const std::string& text) const {
-  std::set<std::string> names;
-  std::set<std::string> stems;
-  for (const auto& other : list(entry.kind)) {
-    names.insert(other.name);
-    stems.insert(fs::path(other.path).stem());
-  }
-  std::error_code absent;  // an unsaved text of a file that is gone would become that of the copy
-  for (const auto& draft :
-       fs::directory_iterator(fs::path(draft_path(entry)).parent_path(), absent))
-    stems.insert(draft.path().stem());
+  const auto [names, stems] = taken(entry.kind);
   LibraryEntry copy = entry;
   const auto name = name_in(text);
   copy.name = free_name(without_copy(name.empty() ? entry.name : name, " (copy", ")"), names,

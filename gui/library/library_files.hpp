@@ -6,6 +6,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,11 +15,11 @@
 
 namespace isograsp::gui {
 
-enum class LibraryKind : std::uint8_t { tasks, scenes, protocols };
-inline constexpr std::size_t kLibraryKindCount = 3;
+enum class LibraryKind : std::uint8_t { tasks, scenes, protocols, postures };
+inline constexpr std::size_t kLibraryKindCount = 4;
 /// Hold for which a scene is compiled when it is checked and described: of a session at 100 Hz [s].
 inline constexpr double kLibraryHold_s = 0.01;
-/// Its folder: "tasks", "scenes", "protocols".
+/// Its folder: "tasks", "scenes", "protocols", "postures".
 [[nodiscard]] std::string_view folder_of(LibraryKind kind) noexcept;
 
 /// One file, shipped or own.
@@ -57,7 +58,7 @@ class LibraryFiles {
   [[nodiscard]] Result<std::string> read(const LibraryEntry& entry) const;
 
   /// The first problem that keeps the text from being used as that file: the reader's own error, or
-  /// a scene, task or curve that it names and that cannot be used.
+  /// a scene, task, file of postures or curve that it names and that cannot be used.
   [[nodiscard]] Result<void> check(LibraryKind kind, const std::string& text,
                                    const std::string& path) const;
   /// Results are compared by the names of their tasks: no two files of a kind may share one.
@@ -68,6 +69,11 @@ class LibraryFiles {
   /// The curve that a task names is copied, too. Text that cannot be read is taken as it is.
   [[nodiscard]] Result<LibraryEntry> duplicate(const LibraryEntry& entry,
                                                const std::string& text) const;
+
+  /// A new own file STEM.toml, or STEM_2.toml … if that is taken, with this text under its name or,
+  /// if another file has that, under "NAME (2)" ….
+  [[nodiscard]] Result<LibraryEntry> add(LibraryKind kind, const std::string& stem,
+                                         const std::string& text) const;
 
   struct Saved {
     std::string text;  ///< as it stands in the file: its version may have been raised
@@ -92,6 +98,12 @@ class LibraryFiles {
 
  private:
   [[nodiscard]] std::vector<LibraryEntry> files_in(LibraryKind kind, bool own) const;
+  /// Names and stems that a new file of the kind cannot have.
+  struct Taken {
+    std::set<std::string> names;
+    std::set<std::string> stems;
+  };
+  [[nodiscard]] Taken taken(LibraryKind kind) const;
   [[nodiscard]] std::string draft_path(const LibraryEntry& entry) const;
   [[nodiscard]] Result<std::string> put_away(const LibraryEntry& entry, const char* where,
                                              bool copy) const;

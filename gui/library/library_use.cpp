@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "kinematics/pose_task.hpp"
+#include "storage/crypto/content_hash.hpp"
 #include "tasks/task_spec.hpp"
 
 namespace isograsp::gui {
@@ -17,10 +19,20 @@ bool is_text_of(const std::string& stored, const std::string& file) {
   return rest.empty() || rest.starts_with("\n[csv_data]\n") || rest.starts_with("\n[chosen]\n");
 }
 
+/// Stored is a task that was compiled from the postures of that file.
+bool tells_hash_of(const std::string& scene, const std::string& postures) {
+  const auto task = parse_pose_task(scene, "");
+  return task && task->postures_hash == storage::uuid_of(postures);
+}
+
 void look_at(const storage::TrialRecord& trial, LibraryKind kind, const std::string& former,
              const std::string& text, const std::string& name, FileUse& use) {
   if (kind == LibraryKind::scenes) {
     use.used = use.used || trial.scene_text == former;
+    return;
+  }
+  if (kind == LibraryKind::postures) {
+    use.used = use.used || trial.scene_text == former || tells_hash_of(trial.scene_text, former);
     return;
   }
   use.used = use.used || is_text_of(trial.task_text, former);

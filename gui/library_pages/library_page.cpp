@@ -2,6 +2,7 @@
 // What the library page looks like and which key does what; its acts: library_page_acts.cpp.
 #include "gui/library_pages/library_page.hpp"
 
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -14,7 +15,7 @@ namespace isograsp::gui {
 namespace {
 
 constexpr int kLibraryRow_px = 24;
-constexpr int kList_px = 316;
+constexpr int kList_px = 284;
 constexpr int kView_px = 350;
 
 QPushButton* make_button(const QString& text, const char* name, const QString& title,
@@ -44,6 +45,7 @@ LibraryPage::LibraryPage(Clinic& clinic, SessionPresenter& presenter, QWidget* p
       presenter_(presenter),
       files_(presenter.state().config.library,
              session::own_library_folder(presenter.state().config.database)) {
+  postures_ = new PostureDesk(presenter_, this);
   auto* row = new QBoxLayout(side_by_side(), this);
   row->setContentsMargins(12, 12, 12, 12);
   row->setSpacing(10);
@@ -51,9 +53,7 @@ LibraryPage::LibraryPage(Clinic& clinic, SessionPresenter& presenter, QWidget* p
   if (row->direction() == QBoxLayout::LeftToRight) list->setFixedWidth(scaled(kList_px));
   row->addWidget(list);
   row->addWidget(make_editor(), 3);
-  view_ = new LibraryView;
-  view_->setMinimumWidth(scaled(kView_px));
-  row->addWidget(view_, 2);
+  row->addWidget(make_pictures(), 2);
   constexpr int kCheckAfter_ms = 300;
   constexpr int kKeepAfter_ms = 1000;
   check_soon_.setSingleShot(true);
@@ -70,12 +70,13 @@ LibraryPage::~LibraryPage() = default;
 
 QWidget* LibraryPage::make_list() {
   auto* card = new Card(tr("Library"));
-  auto* kinds = new QHBoxLayout;
+  auto* kinds = new QGridLayout;
   kinds->setSpacing(4);
   const std::array<std::array<QString, 3>, kLibraryKindCount> words{
       {{tr("&Tasks"), tr("Tasks"), tr("What the patient is asked to do (Alt+T)")},
        {tr("&Scenes"), tr("Scenes"), tr("Objects that a task can have (Alt+S)")},
-       {tr("&Protocols"), tr("Protocols"), tr("What sessions consist of (Alt+P)")}}};
+       {tr("&Protocols"), tr("Protocols"), tr("What sessions consist of (Alt+P)")},
+       {tr("P&ostures"), tr("Postures"), tr("What an arm is asked to do with an object (Alt+O)")}}};
   for (std::size_t k = 0; k < kLibraryKindCount; ++k) {
     const auto kind = static_cast<LibraryKind>(k);
     kinds_[k] = make_button(words[k][0], "", words[k][1], words[k][2]);
@@ -84,7 +85,8 @@ QWidget* LibraryPage::make_list() {
     kinds_[k]->setCheckable(true);
     kinds_[k]->setProperty("tight", true);
     connect(kinds_[k], &QPushButton::clicked, this, [this, kind] { show_kind(kind); });
-    kinds->addWidget(kinds_[k], 1);
+    constexpr std::size_t kBeside = 2;
+    kinds->addWidget(kinds_[k], static_cast<int>(k / kBeside), static_cast<int>(k % kBeside));
   }
   search_ = new QLineEdit;
   search_->setObjectName("library_search");
@@ -98,7 +100,7 @@ QWidget* LibraryPage::make_list() {
            tr("Arrow keys choose one, Enter goes to its text (Alt+I)"));
   take_rest(*list_, 6 * kLibraryRow_px);
   connect(list_, &QListWidget::currentRowChanged, this, &LibraryPage::choose_row);
-  connect(list_, &QListWidget::itemActivated, this, [this] { editor_->setFocus(); });
+  connect(list_, &QListWidget::itemActivated, this, &LibraryPage::focus_body);
   bring_back_ = make_button(tr("&Bring back"), "library_bring_back", tr("Bring back"),
                             tr("The file that was removed last (Alt+B)"));
   bring_back_->hide();
@@ -157,10 +159,27 @@ QWidget* LibraryPage::make_editor() {
   column.addWidget(place_);
   column.addLayout(buttons);
   column.addWidget(remark_);
-  column.addWidget(editor_, 1);
+  body_ = new QStackedWidget;
+  body_->addWidget(editor_);
+  body_->addWidget(&postures_->editor());
+  column.addWidget(body_, 1);
   column.addLayout(verdict);
   watch_editor();
   return card;
+}
+
+/// What the file will be; of postures pictures, and below them the same in words.
+QWidget* LibraryPage::make_pictures() {
+  auto* pictures = new QWidget;
+  pictures->setMinimumWidth(scaled(kView_px));
+  auto* column = new QVBoxLayout(pictures);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(10);
+  view_ = new LibraryView;
+  column->addWidget(&postures_->view(), 3);
+  column->addWidget(view_, 1);
+  postures_->view().hide();
+  return pictures;
 }
 
 void LibraryPage::watch_editor() {
@@ -173,6 +192,11 @@ void LibraryPage::watch_editor() {
   connect(go_to_, &QPushButton::clicked, this, [this] {
     if (error_ && error_->line) editor_->go_to_line(*error_->line);
   });
+  connect(postures_, &PostureDesk::edited, this, [this](const QString& text) {
+    if (!editor_->isReadOnly()) editor_->replace_text(text);
+  });
+  connect(postures_, &PostureDesk::new_file, this, &LibraryPage::add_file);
+  connect(postures_, &PostureDesk::said, this, &LibraryPage::say);
   connect(problem_, &QLabel::linkActivated, go_to_, &QPushButton::click);
   connect(editor_, &QPlainTextEdit::textChanged, this, &LibraryPage::text_changed);
   connect(editor_->document(), &QTextDocument::undoAvailable, this, &LibraryPage::refresh);
@@ -183,7 +207,12 @@ void LibraryPage::add_keys() {
   add_key(this, "Ctrl+S", [this] { save_->click(); });
   add_key(this, "Alt+F", [this] { search_->setFocus(); });
   add_key(this, "Alt+I", [this] { list_->setFocus(); });
-  add_key(this, "Alt+X", [this] { editor_->setFocus(); });
+  add_key(this, "Alt+X", [this] { focus_body(); });
+  for (QWidget* widget :
+       {static_cast<QWidget*>(&postures_->editor()), static_cast<QWidget*>(&postures_->view())}) {
+    add_key(widget, "Ctrl+Z", [this] { undo_->click(); });
+    add_key(widget, "Ctrl+Shift+Z", [this] { redo_->click(); });
+  }
 }
 
 void LibraryPage::showEvent(QShowEvent* event) {
@@ -241,6 +270,7 @@ void LibraryPage::refresh() {
                           : tr("Shipped: it stays as it is. Duplicate it to change it."));
   editor_->setReadOnly(!own || !loaded_ || saving_);
   editor_->setEnabled(entry_.has_value());
+  show_body();
   duplicate_->setEnabled(loaded_);
   mark_next(*duplicate_, loaded_ && !own);
   save_->setEnabled(changed && checked_ && !error_ && !saving_);
@@ -253,6 +283,20 @@ void LibraryPage::refresh() {
   bring_back_->setVisible(removed_.has_value());
   if (removed_)
     bring_back_->setText(tr("&Bring back: %1").arg(QString::fromStdString(removed_->entry.name)));
+}
+
+void LibraryPage::show_body() {
+  // While a file of postures is being read the form waits for it.
+  if (kind_ == LibraryKind::postures && entry_ && !loaded_ && !error_) return;
+  const bool form = kind_ == LibraryKind::postures && entry_ && loaded_ &&
+                    postures_->show_text(text(), entry_->path, entry_->own && !saving_, modified());
+  if (!form) postures_->leave();
+  body_->setCurrentIndex(form ? 1 : 0);
+  postures_->view().setVisible(form);
+}
+
+void LibraryPage::focus_body() {
+  body_->currentWidget()->setFocus();
 }
 
 void LibraryPage::say(const QString& words) {

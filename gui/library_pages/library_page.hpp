@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tasks, scenes and protocols: the list, the editor with the reader's own errors as one types, and
-// what the text will be. Shipped files are read-only; Duplicate makes an own one.
+// Tasks, scenes, protocols and postures: the list, the editor with the reader's own errors as one
+// types, and what the text will be. Shipped files are read-only; Duplicate makes an own one. A file
+// of postures is a form instead of its text, as long as that can be read.
 #pragma once
 
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QStackedWidget>
 #include <QTimer>
 #include <array>
 #include <optional>
@@ -15,6 +17,7 @@
 #include "gui/clinic/clinic.hpp"
 #include "gui/library/library_files.hpp"
 #include "gui/library_pages/library_view.hpp"
+#include "gui/library_pages/posture_desk.hpp"
 #include "gui/look/toml_editor.hpp"
 #include "gui/presenter/session_presenter.hpp"
 
@@ -37,6 +40,7 @@ class LibraryPage final : public QWidget {
  private:
   [[nodiscard]] QWidget* make_list();
   [[nodiscard]] QWidget* make_editor();
+  [[nodiscard]] QWidget* make_pictures();
   void watch_editor();
   void add_keys();
   void show_kind(LibraryKind kind);
@@ -45,6 +49,10 @@ class LibraryPage final : public QWidget {
   void fill_list();
   void choose_row(int row);
   void open(const LibraryEntry& entry, bool select_name);
+  /// The form in the place of the text, where there is one for it.
+  void show_body();
+  void focus_body();
+  void add_file(const QString& text, const QString& remark);
   void text_changed();
   void check();
   void show_checked(const std::optional<Error>& error);
@@ -74,8 +82,9 @@ class LibraryPage final : public QWidget {
   bool checked_ = false;               ///< that was the text which stands there
   bool loaded_ = false;                ///< its text has come
   bool saving_ = false;
-  bool showing_ = false;  ///< a text is put into the editor: nobody types
-  int opened_ = 0;        ///< answers to earlier requests are dropped
+  bool showing_ = false;   ///< a text is put into the editor: nobody types
+  QString remark_of_new_;  ///< said where the file that is made stands open
+  int opened_ = 0;         ///< answers to earlier requests are dropped
   int checks_ = 0;
   int lists_ = 0;
   struct Removed {
@@ -97,7 +106,9 @@ class LibraryPage final : public QWidget {
   QPushButton* undo_;
   QPushButton* redo_;
   QLabel* remark_;
+  QStackedWidget* body_;  ///< the text, or the form of postures
   TomlEditor* editor_;
+  PostureDesk* postures_;
   QLabel* problem_;
   QPushButton* go_to_;
   LibraryView* view_;

@@ -2,6 +2,7 @@
 // What the library page does with files; all of it on its worker, in order.
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "gui/library/library_use.hpp"
 #include "gui/library_pages/library_page.hpp"
@@ -80,7 +81,7 @@ void LibraryPage::open(const LibraryEntry& entry, bool select_name) {
   former_.clear();
   error_.reset();
   loaded_ = checked_ = false;
-  remark_->clear();
+  remark_->setText(std::exchange(remark_of_new_, {}));
   problem_->clear();
   go_to_->hide();
   showing_ = true;
@@ -106,7 +107,8 @@ void LibraryPage::open(const LibraryEntry& entry, bool select_name) {
         if (opened.draft) editor_->replace_text(QString::fromStdString(*opened.draft));
         showing_ = false;
         refresh();  // it can be typed into from now on
-        if (select_name) editor_->select_name();
+        if (select_name && body_->currentIndex() == 0) editor_->select_name();
+        if (select_name && body_->currentIndex() != 0) postures_->editor().select_name();
         if (opened.draft && *opened.draft != former_)
           remark_->setText(tr("Your unsaved changes are here again. Revert takes them back."));
         check();
@@ -212,6 +214,23 @@ void LibraryPage::duplicate() {
               });
 }
 
+/// With a posture that was recorded: there at once, as a duplicate is.
+void LibraryPage::add_file(const QString& text, const QString& remark) {
+  keep_draft_now();
+  remark_of_new_ = remark;
+  using Made = Result<LibraryEntry>;
+  worker_.run(
+      [files = files_, text = text.toStdString()]() -> Made {
+        return files.add(LibraryKind::postures, "recorded", text);
+      },
+      [this](const Made& made) {
+        if (!made) return say(translated(made.error()));
+        postures_->made(made->path);
+        search_->clear();
+        list_files(made->path, true);
+      });
+}
+
 void LibraryPage::save() {
   if (!save_->isEnabled()) return;
   keep_draft_now();  // it may not be saved after all
@@ -268,6 +287,10 @@ void LibraryPage::show_saved(const LibraryEntry& entry, const LibraryFiles::Save
   if (saved.raised)
     say(tr("Saved as version %1: trials were recorded with the former text, which is kept.")
             .arg(saved.version));
+  else if (!saved.kept.empty() && entry.kind == LibraryKind::postures)
+    say(tr("Saved. Trials were recorded with the former postures, which are kept as %1: with these "
+           "a new series begins.")
+            .arg(file_name(saved.kept)));
   else if (!saved.kept.empty())
     say(tr("Saved. The former text was used and is kept as %1.").arg(file_name(saved.kept)));
   else

@@ -4,12 +4,14 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "core/files.hpp"
 #include "grasp_model/grasp.hpp"
 #include "grasp_model/plan_words.hpp"
 #include "gui/words/texts.hpp"
 #include "gui/words/words.hpp"
+#include "kinematics/postures.hpp"
 #include "session/library/library.hpp"
 #include "session/platform/plan_cost.hpp"
 #include "tasks/timeline.hpp"
@@ -258,6 +260,21 @@ LibraryPreview of_protocol(const session::ReadyProtocol& protocol) {
   return preview;
 }
 
+LibraryPreview of_postures(const Postures& postures, const std::string& path) {
+  LibraryPreview preview;
+  preview.title = QString::fromStdString(postures.name);
+  auto& facts = preview.facts;
+  facts.push_back(
+      {PreviewTexts::tr("Postures"), QString::number(static_cast<int>(postures.postures.size()))});
+  facts.push_back({PreviewTexts::tr("Arm"), postures.hand == Hand::left
+                                                ? PreviewTexts::tr("left, mirrored")
+                                                : PreviewTexts::tr("right")});
+  facts.push_back({PreviewTexts::tr("An own task names them"),
+                   QStringLiteral("postures = \"%1\"")
+                       .arg(QString::fromStdString(std::filesystem::path(path).stem().string()))});
+  return preview;
+}
+
 }  // namespace
 
 QString time_words(double duration_s) {
@@ -276,6 +293,10 @@ LibraryPreview preview_of(LibraryKind kind, const std::string& text, const std::
   if (kind == LibraryKind::protocols) {
     const auto protocol = session::read_protocol(text, path, shipped);
     return protocol ? of_protocol(*protocol) : LibraryPreview{};
+  }
+  if (kind == LibraryKind::postures) {
+    const auto postures = parse_postures(text, path);
+    return postures ? of_postures(*postures, path) : LibraryPreview{};
   }
   const auto scene = parse_scene(text, path);
   if (!scene) return {};

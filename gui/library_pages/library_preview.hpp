@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a task, scene or protocol will be, told from its text before anybody runs it: facts in
-// words, the target over time, the object from above, the steps with their durations. Knows no
-// widget.
+// What a task, scene, protocol or file of postures will be, told from its text before anybody runs
+// it: facts in words, the target over time, the object from above, the steps with their durations.
+// Knows no widget.
 #pragma once
 
 #include <QPointF>

@@ -5,26 +5,24 @@
 
 namespace isograsp::gui {
 
-void ExamplePlayer::show(const tasks::TaskSpec& spec, const tasks::ForceReferences& references,
-                         Hand hand, const std::string& library,
-                         std::function<void(Result<void>)> changed) {
+void ExamplePlayer::show(const tasks::TaskSpec& spec, const session::DemonstrationFor& whom,
+                         const std::string& library, std::function<void(Result<void>)> changed) {
   stop();
   showing_ = true;
-  hand_ = hand;
+  hand_ = whom.hand;
   using Shown = Result<session::Demonstration>;
   worker_.run(
-      [spec, references, hand, library]() -> Shown {
-        return session::demonstrate(spec, references, hand, library);
-      },
+      [spec, whom, library]() -> Shown { return session::demonstrate(spec, whom, library); },
       [this, request = request_, changed = std::move(changed)](Shown shown) {
         if (request != request_) return;  // stopped meanwhile
         if (!shown) {
           stop();
           return changed(shown.error());
         }
-        if (shown->frames.empty()) {
+        if (shown->size() == 0) {
           stop();
         } else {
+          if (shown->arm) arm_space_ = std::make_shared<ArmSpace>(*shown->arm, hand_);
           preview_ = std::make_shared<TargetPreview>(preview_target(*shown->task, shown->context));
           example_ = std::make_shared<session::Demonstration>(*std::move(shown));
           frame_ = 0;
@@ -39,17 +37,20 @@ void ExamplePlayer::stop() {
   showing_ = false;
   example_.reset();
   preview_.reset();
+  arm_space_.reset();
 }
 
 void ExamplePlayer::tick() {
   if (example_ == nullptr) return;
   const double shown_s = to_seconds(clock_.now() - began_);
   frame_ = static_cast<std::size_t>(shown_s / example_->period_s);
-  if (frame_ >= example_->frames.size()) stop();
+  if (frame_ >= example_->size()) stop();
 }
 
 PatientFacts ExamplePlayer::facts() const {
-  PatientFacts facts = patient_facts(example_->frames[frame_]);
+  PatientFacts facts = arm_space_ != nullptr ? patient_facts(example_->arm_frames[frame_])
+                                             : patient_facts(example_->frames[frame_]);
+  facts.arm = arm_space_;
   facts.session_open = true;
   facts.example = true;
   facts.hand = hand_;

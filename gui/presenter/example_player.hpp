@@ -20,7 +20,7 @@ class ExamplePlayer {
   ExamplePlayer(Background& worker, const Clock& clock) : worker_(worker), clock_(clock) {}
 
   /// `changed` is called when it begins to play, or with the error why it cannot.
-  void show(const tasks::TaskSpec& spec, const tasks::ForceReferences& references, Hand hand,
+  void show(const tasks::TaskSpec& spec, const session::DemonstrationFor& whom,
             const std::string& library, std::function<void(Result<void>)> changed);
   void stop();
   /// Being made, or played.
@@ -39,6 +39,7 @@ class ExamplePlayer {
   Hand hand_ = Hand::right;
   std::shared_ptr<const session::Demonstration> example_;
   std::shared_ptr<const TargetPreview> preview_;
+  std::shared_ptr<const ArmSpace> arm_space_;  ///< null: it is no arm
   std::size_t frame_ = 0;
   Timestamp began_{0};
 };

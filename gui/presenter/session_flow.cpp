@@ -6,6 +6,7 @@
 #include "gui/library/task_groups.hpp"
 #include "gui/presenter/next_words.hpp"
 #include "gui/words/texts.hpp"
+#include "session/demonstration.hpp"
 
 namespace isograsp::gui {
 
@@ -151,7 +152,7 @@ void SessionFlow::add_task_facts(FlowFacts& facts) const {
   facts.task_chosen = spec != nullptr;
   if (spec == nullptr) return;
   facts.task_rests = is_rest(*spec) && facts.asks_rest;
-  facts.task_can_be_shown = spec->apparatus() != kArm;
+  facts.task_not_shown = session::why_not_shown(*spec);
   facts.task_name = spec->name;
   if (open) facts.task_lacks = open->work.task_lacks;
 }

@@ -58,9 +58,13 @@ void TaskActs::show_how() {
   }
   if (!flow_.view().may_show_how) return;
   next_.hold();
-  example_.show(*state_.next_task(),
-                state_.open ? state_.open->session->known().references : tasks::ForceReferences{},
-                state_.choices.today.hand.value_or(Hand::right), state_.config.library,
+  session::DemonstrationFor whom;
+  whom.hand = state_.choices.today.hand.value_or(Hand::right);
+  if (state_.open) {
+    whom.references = state_.open->session->known().references;
+    whom.ranges = state_.open->session->known().ranges;
+  }
+  example_.show(*state_.next_task(), whom, state_.config.library,
                 [this](const Result<void>& shown) {
                   if (!shown) flow_.refuse(shown.error());
                   flow_.update();

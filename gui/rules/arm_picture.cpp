@@ -27,6 +27,14 @@ void say_instruction(const PatientFacts& facts, PatientPicture& picture) {
   say_of_arm(picture, words.left(end), words.mid(end + 2));
 }
 
+/// Of a task that looks at single markers: nothing of it is drawn, and what is out of sight stops
+/// nothing.
+void say_alone(const PatientFacts& facts, PatientPicture& picture) {
+  say_instruction(facts, picture);
+  if (facts.stimulus.progress.getting_ready)
+    picture.detail = ArmPictureTexts::tr("Get ready").toStdString();
+}
+
 void say_to_show(PatientPicture& picture) {
   say_of_arm(picture, ArmPictureTexts::tr("Turn the hand towards the cameras"),
              ArmPictureTexts::tr("It goes on by itself"));
@@ -65,6 +73,7 @@ void say_of_object(const PatientFacts& facts, PatientPicture& picture) {
 
 void add_arm(const PatientFacts& facts, PatientPicture& picture) {
   const Stimulus& seen = facts.stimulus;
+  if (facts.task->kind->markers != nullptr) return say_alone(facts, picture);
   if (seen.angle.shown) return add_range_of_arm(facts, picture);
   if (seen.sight == ObjectSight::unknown && !seen.pose_target_shown) return say_to_show(picture);
   picture.page = PatientPicture::Page::object;

@@ -16,6 +16,7 @@ FlowView judge(const FlowFacts& facts) {
   view.device_speaks = (view.device == DeviceCondition::degraded && view.mood != Mood::fault) ||
                        (view.device_mood == Mood::attention && content);
   if (view.device_speaks) view.mood = Mood::attention;
+  view.device_known = facts.device_chosen || facts.connection != Connection::none;
   view.start_posture = facts.start_posture;
   view.steps = steps_of(facts, view.situation, view.device);
   decide_acts(facts, view);

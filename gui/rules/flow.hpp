@@ -91,8 +91,8 @@ struct FlowFacts {
   bool zero_asked = false;  ///< and its outcome has not come
   bool starting = false;  ///< a start was asked for, no frame of it has come; or its end is stored
   bool task_chosen = false;
-  bool task_rests = true;         ///< the resting force is measured
-  bool task_can_be_shown = true;  ///< by a simulated hand
+  bool task_rests = true;  ///< the resting force is measured
+  Text task_not_shown;     ///< why the patient cannot watch it; empty: it can be shown
   std::string task_name;
   std::string task_lacks;  ///< a force that the task is scaled to and that was not measured: why
   /// Of the last trial in this session, which may be repeated; nothing: there was none.
@@ -201,7 +201,8 @@ struct FlowView {
   Situation situation = Situation::database_opening;
   DeviceCondition device = DeviceCondition::absent;
   std::array<StepState, kStepCount> steps{};
-  bool start_posture = false;  ///< Step::zero is the start posture of an arm
+  bool device_known = false;   ///< what measures is chosen, or connected
+  bool start_posture = false;  ///< it is cameras that see an arm: Step::zero is its start posture
   std::string sentence;        ///< state and next step, in plain words
   Mood mood = Mood::off;       ///< of the whole
   Mood device_mood = Mood::off;
@@ -220,6 +221,7 @@ struct FlowView {
   bool may_strap = false;
   bool may_choose_task = false;
   bool may_show_how = false;  ///< the patient may watch how the chosen task is done
+  Text not_shown;             ///< why nobody can show it on a screen; empty: it can be shown
   bool may_start = false;     ///< the trial, or in a pause the going on by itself
   bool may_begin = false;     ///< a trial could begin at this moment
   bool may_repeat = false;    ///< the last trial

@@ -79,10 +79,12 @@ void decide_between_trials(const FlowFacts& facts, bool sound, FlowView& view) {
   view.may_check = view.may_zero && !facts.start_posture;
   view.may_strap = live && facts.asks_rest && zero && (!facts.strapped || facts.straps_due);
   view.may_choose_task = !in_trial(facts) && !facts.starting && !facts.zero_asked;
-  view.may_show_how =
-      view.may_choose_task && facts.task_chosen && facts.task_can_be_shown && !facts.recorded &&
-      facts.connection != Connection::opening && facts.connection != Connection::closing &&
-      facts.stage != session::Stage::zeroing && facts.stage != session::Stage::finished;
+  view.may_show_how = view.may_choose_task && facts.task_chosen && facts.task_not_shown.empty() &&
+                      !facts.recorded && facts.connection != Connection::opening &&
+                      facts.connection != Connection::closing &&
+                      facts.stage != session::Stage::zeroing &&
+                      facts.stage != session::Stage::finished;
+  if (facts.task_chosen) view.not_shown = facts.task_not_shown;
   view.may_begin = ready && obstacle_of(facts) == Obstacle::none;
   view.may_start = view.may_begin || (ready && may_arm(facts));
   view.may_repeat =

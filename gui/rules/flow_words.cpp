@@ -113,15 +113,21 @@ QString words_before_session(Situation situation, const FlowFacts& facts) {
       return FlowTexts::tr("This is not the affected hand. Confirm it, or choose the other.");
     case Situation::choose_hand:
       if (facts.start_posture) return FlowTexts::tr("Which arm works today? Choose right or left.");
-      return FlowTexts::tr("Which hand is in the device today? Choose right or left.");
+      if (facts.device_chosen)
+        return FlowTexts::tr("Which hand is in the device today? Choose right or left.");
+      return FlowTexts::tr("Which hand works today? Choose right or left.");
     case Situation::screen:
-      return facts.start_posture ? FlowTexts::tr("Ask the screening questions before any movement.")
-                                 : FlowTexts::tr("Ask the screening questions before any force.");
+      if (facts.start_posture)
+        return FlowTexts::tr("Ask the screening questions before any movement.");
+      if (facts.device_chosen)
+        return FlowTexts::tr("Ask the screening questions before any force.");
+      return FlowTexts::tr("Ask the screening questions before any work.");
     case Situation::seek_earlier:
       return FlowTexts::tr("Looking whether this protocol was interrupted today …");
     case Situation::ask_earlier:
       return FlowTexts::tr("This protocol was interrupted today: go on, or begin anew?");
-    case Situation::choose_device: return FlowTexts::tr("Choose the device.");
+    case Situation::choose_device:
+      return FlowTexts::tr("Choose the device, or the cameras that see an arm.");
     case Situation::connect:
       return facts.start_posture ? FlowTexts::tr("Connect the cameras to begin the session.")
                                  : FlowTexts::tr("Connect the device to begin the session.");
@@ -246,7 +252,10 @@ QString hint_of(const FlowFacts& facts) {
     return FlowTexts::tr("Measure the start posture first.");
   switch (obstacle) {
     case Obstacle::none: break;
-    case Obstacle::no_device: return FlowTexts::tr("Connect the device first.");
+    case Obstacle::no_device:
+      if (facts.start_posture) return FlowTexts::tr("Connect the cameras first.");
+      return facts.device_chosen ? FlowTexts::tr("Connect the device first.")
+                                 : FlowTexts::tr("Connect a device or cameras first.");
     case Obstacle::recording_over: return FlowTexts::tr("The recording is over.");
     case Obstacle::no_zero: return FlowTexts::tr("Set the zero first, with the device empty.");
     case Obstacle::zeroing: return FlowTexts::tr("Wait until the zero is set.");

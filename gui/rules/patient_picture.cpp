@@ -277,7 +277,9 @@ void add_notice(const PatientFacts& facts, PatientPicture& picture) {
   if (facts.device_fault || facts.broken_off || by_fault) {
     picture.notice = Notice::fault;
     picture.notice_words =
-        PictureTexts::tr("The device needs help. You did nothing wrong. Relax your hand.")
+        (facts.arm != nullptr
+             ? PictureTexts::tr("The cameras need help. You did nothing wrong. Relax your arm.")
+             : PictureTexts::tr("The device needs help. You did nothing wrong. Relax your hand."))
             .toStdString();
   } else if (paused && !(facts.arm != nullptr && session::goes_on_by_itself(facts.pause_cause))) {
     picture.notice = Notice::pause;

@@ -33,7 +33,7 @@ ConnectForm::ConnectForm(SessionPresenter& presenter, QWidget* parent)
   devices_ = new QListWidget;
   devices_->setObjectName("devices");
   devices_->setTextElideMode(Qt::ElideMiddle);
-  describe(*devices_, tr("Device"),
+  describe(*devices_, tr("Device or cameras"),
            tr("What is present now, simulated patients, recordings (Alt+4, then arrow keys)"));
   connect_ = new QPushButton;
   connect_->setObjectName("connect");
@@ -120,14 +120,14 @@ void ConnectForm::refresh() {
   devices_->setVisible(!presenter_.state().session_open());
   if (view.may_cancel_connecting) {
     connect_->setText(tr("&Cancel"));
-    describe(*connect_, tr("Cancel connecting"), tr("Do not connect to this device (Alt+C)"));
+    describe(*connect_, tr("Cancel connecting"), tr("Do not connect (Alt+C)"));
   } else if (presenter_.state().session_open()) {
     connect_->setText(tr("Dis&connect"));
     describe(*connect_, tr("Disconnect"), tr("End the session and disconnect (Alt+C)"));
   } else {
     connect_->setText(tr("&Connect"));
     describe(*connect_, tr("Connect"),
-             tr("Begin the session: needs patient, hand, screening and device (Alt+C)"));
+             tr("Begin the session, once the steps above are done (Alt+C)"));
   }
   connect_->setEnabled(view.may_connect || view.may_cancel_connecting || view.may_disconnect);
   mark_next(*devices_, view.press == NextPress::device);

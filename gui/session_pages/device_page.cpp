@@ -78,7 +78,8 @@ DevicePage::DevicePage(SessionPresenter& presenter, QWidget* parent)
 }
 
 QWidget* DevicePage::make_state() {
-  auto* card = new Card(tr("Device"));
+  auto* card = new Card({});
+  state_card_ = card;
   light_ = new StateLight(22);
   words_ = new QLabel;
   words_->setObjectName("device_state");
@@ -199,10 +200,11 @@ void DevicePage::refresh() {
   light_->show_mood(view.device_mood);
   words_->setText(QString::fromStdString(view.device_words));
   const auto* info = presenter_.state().device();
-  details_->setText(info == nullptr ? tr("A device is chosen and connected on the page of the "
-                                         "session, once patient and hand are known.")
-                                    : details_of(*info, presenter_.state().measures_arm()));
-  const bool is_arm = info != nullptr && presenter_.state().measures_arm();
+  const bool is_arm = presenter_.state().measures_arm();
+  state_card_->set_title(is_arm ? tr("Cameras") : tr("Device"));
+  details_->setText(info == nullptr ? tr("A device, or cameras, are chosen and connected on the "
+                                         "page of the session, once patient and hand are known.")
+                                    : details_of(*info, is_arm));
   check_card_->setVisible(!is_arm);
   counted_card_->set_title(is_arm ? tr("What the cameras counted")
                                   : tr("What the sensors counted"));
@@ -218,7 +220,7 @@ void DevicePage::refresh() {
   }
   faults_->setVisible(faults_->count() > 0);
   no_faults_->setVisible(faults_->count() == 0);
-  no_faults_->setText(info == nullptr ? tr("No device is connected.") : tr("None so far."));
+  no_faults_->setText(info == nullptr ? tr("Nothing is connected.") : tr("None so far."));
   refresh_check();
 }
 

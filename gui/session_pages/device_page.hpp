@@ -47,6 +47,7 @@ class DevicePage final : public QWidget {
   QTableWidget* sensors_;
   QListWidget* faults_;
   QLabel* no_faults_;
+  Card* state_card_;
   QWidget* check_card_;
   Card* counted_card_;  ///< its title says whose counters these are
   QLabel* cameras_;     ///< in place of the sensors

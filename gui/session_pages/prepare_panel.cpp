@@ -3,6 +3,7 @@
 
 #include <QHBoxLayout>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "gui/arm_pages/arm_screening_form.hpp"
 #include "gui/look/look.hpp"
@@ -18,13 +19,21 @@ namespace isograsp::gui {
 
 namespace {
 
-QString words_of(Step step) {
+/// As long as nobody knows what measures, the words fit a device and cameras.
+QString words_of(Step step, const FlowView& view) {
+  const bool arm = view.start_posture;
   switch (step) {
     case Step::patient: return PreparePanel::tr("Patient");
-    case Step::hand: return PreparePanel::tr("Hand today");
+    case Step::hand: return arm ? PreparePanel::tr("Arm today") : PreparePanel::tr("Hand today");
     case Step::screening: return PreparePanel::tr("Screening");
-    case Step::device: return PreparePanel::tr("Device");
-    case Step::zero: return PreparePanel::tr("Zero, empty");
+    case Step::device:
+      return arm                 ? PreparePanel::tr("Cameras")
+             : view.device_known ? PreparePanel::tr("Device")
+                                 : PreparePanel::tr("Device or cameras");
+    case Step::zero:
+      return arm                 ? PreparePanel::tr("Start posture")
+             : view.device_known ? PreparePanel::tr("Zero, empty")
+                                 : PreparePanel::tr("Zero or start posture");
     case Step::rest: return PreparePanel::tr("Hand in");
     case Step::work: return PreparePanel::tr("Protocol");
   }
@@ -49,7 +58,8 @@ PreparePanel::PreparePanel(SessionPresenter& presenter, QWidget* parent)
   column->setSpacing(5);
   for (std::size_t i = 0; i < kStepCount; ++i) {
     sections_[i] =
-        new StepSection(static_cast<int>(i) + 1, words_of(static_cast<Step>(i)), bodies[i]);
+        new StepSection(static_cast<int>(i) + 1,
+                        words_of(static_cast<Step>(i), presenter_.flow().view()), bodies[i]);
     column->addWidget(sections_[i]);
   }
   column->addStretch(1);
@@ -85,23 +95,20 @@ QWidget* PreparePanel::make_zero() {
 
 QWidget* PreparePanel::make_hand() {
   auto* body = new QWidget;
-  const auto make = [&](const QString& text, const QString& name, const QString& key, Hand hand) {
-    auto* button = new QPushButton(text);
-    button->setObjectName(hand == Hand::left ? "hand_left" : "hand_right");
+  const auto make = [&](const char* name, Hand hand) {
+    auto* button = new QPushButton;
+    button->setObjectName(QLatin1String(name));
     button->setCheckable(true);
-    describe(*button, name, tr("%1: asked in every session (%2)").arg(name, key));
     connect(button, &QPushButton::clicked, &presenter_, [this, hand] {
       presenter_.choices().choose_hand(hand);
       refresh();
     });
     return button;
   };
-  left_ = make(tr("&Left hand"), tr("Left hand"), tr("Alt+L"), Hand::left);
-  right_ = make(tr("&Right hand"), tr("Right hand"), tr("Alt+R"), Hand::right);
-  confirm_hand_ = new QPushButton(tr("Yes, the less affected hand"));
+  left_ = make("hand_left", Hand::left);
+  right_ = make("hand_right", Hand::right);
+  confirm_hand_ = new QPushButton;
   confirm_hand_->setObjectName("confirm_hand");
-  describe(*confirm_hand_, tr("Yes, today the less affected hand"),
-           tr("The hand on the affected side is another one; this one is meant (Tab, then space)"));
   connect(confirm_hand_, &QPushButton::clicked, this,
           [this] { presenter_.choices().confirm_hand(); });
   auto* row = new QHBoxLayout;
@@ -113,6 +120,23 @@ QWidget* PreparePanel::make_hand() {
   column->addLayout(row);
   column->addWidget(confirm_hand_);
   return body;
+}
+
+/// Of a hand, or of an arm.
+void PreparePanel::name_sides() {
+  const bool arm = presenter_.flow().view().start_posture;
+  const auto name = [](QPushButton& button, const QString& text, const QString& key) {
+    if (button.text() == text) return;
+    button.setText(text);
+    const auto plain = QString(text).remove(QLatin1Char('&'));
+    describe(button, plain, tr("%1: asked in every session (%2)").arg(plain, key));
+  };
+  name(*left_, arm ? tr("&Left arm") : tr("&Left hand"), tr("Alt+L"));
+  name(*right_, arm ? tr("&Right arm") : tr("&Right hand"), tr("Alt+R"));
+  confirm_hand_->setText(arm ? tr("Yes, the less affected arm")
+                             : tr("Yes, the less affected hand"));
+  describe(*confirm_hand_, confirm_hand_->text(),
+           tr("The affected side is the other one; this one is meant (Tab, then space)"));
 }
 
 QString PreparePanel::summary_of(Step step) const {
@@ -149,10 +173,16 @@ QString PreparePanel::summary_of(Step step) const {
 
 void PreparePanel::refresh() {
   const auto& view = presenter_.flow().view();
-  sections_[static_cast<std::size_t>(Step::zero)]->set_title(
-      view.start_posture ? tr("Start posture") : words_of(Step::zero));
-  for (std::size_t i = 0; i < kStepCount; ++i)
+  const auto asked = std::count_if(view.steps.begin(), view.steps.end(),
+                                   [](StepState state) { return state != StepState::absent; });
+  int number = 0;
+  for (std::size_t i = 0; i < kStepCount; ++i) {
+    sections_[i]->set_title(words_of(static_cast<Step>(i), view));
+    const bool counts = view.steps[i] != StepState::absent;
+    sections_[i]->show_number(counts ? ++number : 0, static_cast<int>(asked));
     sections_[i]->show_state(view.steps[i], summary_of(static_cast<Step>(i)));
+  }
+  name_sides();
   const auto hand = presenter_.state().choices.today.hand;
   left_->setChecked(hand == Hand::left);
   right_->setChecked(hand == Hand::right);

@@ -26,6 +26,7 @@ class PreparePanel final : public QWidget {
   [[nodiscard]] QWidget* make_screening();
   [[nodiscard]] QWidget* make_zero();
   [[nodiscard]] QString summary_of(Step step) const;
+  void name_sides();
   void refresh();
 
   SessionPresenter& presenter_;

@@ -89,8 +89,13 @@ void RunPanel::make_next() {
            tr("After a rest the next trial begins without a press; F9 holds it (Alt+F)"));
   show_how_ = new QPushButton;
   show_how_->setObjectName("show_how");
-  for (QWidget* widget :
-       std::initializer_list<QWidget*>{next_, instruction_, practice_, by_itself_, show_how_})
+  not_shown_ = new QLabel;
+  not_shown_->setObjectName("not_shown");
+  not_shown_->setProperty("role", "quiet");
+  not_shown_->setWordWrap(true);
+  not_shown_->hide();
+  for (QWidget* widget : std::initializer_list<QWidget*>{next_, instruction_, practice_, by_itself_,
+                                                         show_how_, not_shown_})
     column_->addWidget(widget);
   connect(practice_, &QCheckBox::toggled, this,
           [this](bool practice) { presenter_.tasks().set_practice(practice); });
@@ -240,7 +245,12 @@ void RunPanel::refresh() {
   show_how_->setText(presenter_.tasks().showing_how() ? tr("Stop sho&wing")
                                                       : tr("Show the patient ho&w"));
   describe(*show_how_, show_how_->text().remove(QLatin1Char('&')),
-           tr("The patient's screen shows how a healthy hand does this task (F7, Alt+W)"));
+           presenter_.state().measures_arm()
+               ? tr("The patient's screen shows how a healthy arm does this task (F7, Alt+W)")
+               : tr("The patient's screen shows how a healthy hand does this task (F7, Alt+W)"));
+  show_how_->setVisible(view.not_shown.empty());
+  not_shown_->setText(translated(view.not_shown));
+  not_shown_->setVisible(!view.not_shown.empty());
   show_how_->setEnabled(view.may_show_how || presenter_.tasks().showing_how());
   describe(*start_, tr("Start: %1").arg(next_->text()), tr("Begin (F8, Alt+S)"));
   start_->setEnabled(view.may_start);

@@ -46,6 +46,7 @@ class RunPanel final : public Card {
   QCheckBox* practice_;
   QCheckBox* by_itself_;
   QPushButton* show_how_;
+  QLabel* not_shown_;  ///< why, in its place
   QPushButton* start_;
   QPushButton* pause_;
   QPushButton* stop_;

@@ -29,20 +29,23 @@ class StepSummary final : public QLabel {
   QString words_;
 };
 
-StepSection::StepSection(int number, const QString& title, QWidget* body, QWidget* parent)
-    : QFrame(parent), number_(number), title_(title), body_(body) {
+StepSection::StepSection(int place, const QString& title, QWidget* body, QWidget* parent)
+    : QFrame(parent),
+      number_(place),
+      count_(static_cast<int>(kStepCount)),
+      title_(title),
+      body_(body) {
   setProperty("section", "open");
   head_ = new QPushButton;
-  head_->setObjectName(QStringLiteral("section_%1").arg(number));
+  head_->setObjectName(QStringLiteral("section_%1").arg(place));
   head_->setProperty("flat_head", true);
-  head_->setShortcut(QKeySequence(Qt::ALT | (Qt::Key_0 + number)));
   head_->setMinimumHeight(scaled(30));
   mark_ = new QLabel;
   mark_->setFixedWidth(scaled(20));
   mark_->setAlignment(Qt::AlignCenter);
   name_ = new QLabel(title);
   summary_ = new StepSummary;
-  summary_->setObjectName(QStringLiteral("summary_%1").arg(number));
+  summary_->setObjectName(QStringLiteral("summary_%1").arg(place));
   summary_->setProperty("role", "quiet");
   summary_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   summary_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // the name is never cut
@@ -62,7 +65,16 @@ StepSection::StepSection(int number, const QString& title, QWidget* body, QWidge
   body_->layout()->setContentsMargins(10, 4, 10, 10);
   body_->hide();
   connect(head_, &QPushButton::clicked, this, [this] { open(!is_open()); });
+  show_number(number_, count_);
   show_state(StepState::open, {});
+}
+
+void StepSection::show_number(int number, int count) {
+  const QKeySequence key =
+      number == 0 ? QKeySequence() : QKeySequence(Qt::ALT | (Qt::Key_0 + number));
+  if (head_->shortcut() != key) head_->setShortcut(key);
+  number_ = number;
+  count_ = count;
 }
 
 void StepSection::set_title(const QString& title) {
@@ -94,7 +106,7 @@ void StepSection::show_state(StepState state, const QString& summary) {
   }
   const auto state_words = done ? tr("done") : next ? tr("next") : tr("to come");
   describe(
-      *head_, tr("Step %1 of %2, %3: %4").arg(number_).arg(kStepCount).arg(title_, state_words),
+      *head_, tr("Step %1 of %2, %3: %4").arg(number_).arg(count_).arg(title_, state_words),
       (summary.isEmpty()
            ? tr("%1: %2. Opens and closes this step (Alt+%3)").arg(title_, state_words).arg(number_)
            : tr("%1: %2. Opens and closes this step (Alt+%3)").arg(title_, summary).arg(number_)));

@@ -17,9 +17,11 @@ class StepSection final : public QFrame {
   Q_OBJECT
 
  public:
-  /// `body` becomes its own. `number` opens it as Alt+number.
-  StepSection(int number, const QString& title, QWidget* body, QWidget* parent = nullptr);
+  /// `body` becomes its own. `place` among all steps names its widgets.
+  StepSection(int place, const QString& title, QWidget* body, QWidget* parent = nullptr);
 
+  /// Which of how many steps that are asked for; Alt+number opens it. 0: it is not asked for.
+  void show_number(int number, int count);
   void set_title(const QString& title);
   /// `summary`: what came of it, e.g. "Right hand".
   void show_state(StepState state, const QString& summary);
@@ -31,6 +33,7 @@ class StepSection final : public QFrame {
 
  private:
   int number_;
+  int count_;
   QString title_;
   StepState state_ = StepState::open;
   QPushButton* head_;

@@ -409,10 +409,6 @@
         <translation>Dieses Protokoll wurde heute unterbrochen: fortsetzen oder neu beginnen?</translation>
     </message>
     <message>
-        <source>Choose the device.</source>
-        <translation>Wählen Sie das Gerät.</translation>
-    </message>
-    <message>
         <source>Connect the device to begin the session.</source>
         <translation>Verbinden Sie das Gerät, um die Sitzung zu beginnen.</translation>
     </message>
@@ -592,6 +588,26 @@
         <source>Connect the cameras to begin the session.</source>
         <translation>Kameras verbinden, um die Sitzung zu beginnen.</translation>
     </message>
+    <message>
+        <source>Which hand works today? Choose right or left.</source>
+        <translation>Welche Hand arbeitet heute? Rechts oder links wählen.</translation>
+    </message>
+    <message>
+        <source>Ask the screening questions before any work.</source>
+        <translation>Stellen Sie die Vorab-Fragen, bevor gearbeitet wird.</translation>
+    </message>
+    <message>
+        <source>Choose the device, or the cameras that see an arm.</source>
+        <translation>Das Gerät wählen, oder die Kameras, die einen Arm sehen.</translation>
+    </message>
+    <message>
+        <source>Connect the cameras first.</source>
+        <translation>Zuerst die Kameras verbinden.</translation>
+    </message>
+    <message>
+        <source>Connect a device or cameras first.</source>
+        <translation>Zuerst ein Gerät oder Kameras verbinden.</translation>
+    </message>
 </context>
 <context>
     <name>LibraryPreview</name>
@@ -753,6 +769,26 @@
     <message>
         <source>Entry test of the hand</source>
         <translation>Eingangstest der Hand</translation>
+    </message>
+    <message>
+        <source>Postures</source>
+        <translation>Haltungen</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Arm</translation>
+    </message>
+    <message>
+        <source>left, mirrored</source>
+        <translation>links, gespiegelt</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>An own task names them</source>
+        <translation>Eine eigene Aufgabe nennt sie</translation>
     </message>
 </context>
 <context>
@@ -1072,6 +1108,10 @@
     <message>
         <source>Close your hand</source>
         <translation>Hand schließen</translation>
+    </message>
+    <message>
+        <source>The cameras need help. You did nothing wrong. Relax your arm.</source>
+        <translation>Die Kameras brauchen Hilfe. Sie haben nichts falsch gemacht. Entspannen Sie den Arm.</translation>
     </message>
 </context>
 <context>
@@ -2583,10 +2623,6 @@
 <context>
     <name>isograsp::gui::ConnectForm</name>
     <message>
-        <source>Device</source>
-        <translation>Gerät</translation>
-    </message>
-    <message>
         <source>What is present now, simulated patients, recordings (Alt+4, then arrow keys)</source>
         <translation>Was gerade vorhanden ist, simulierte Patienten, Aufzeichnungen (Alt+4, dann Pfeiltasten)</translation>
     </message>
@@ -2611,10 +2647,6 @@
         <translation>Verbinden abbrechen</translation>
     </message>
     <message>
-        <source>Do not connect to this device (Alt+C)</source>
-        <translation>Nicht mit diesem Gerät verbinden (Alt+C)</translation>
-    </message>
-    <message>
         <source>Dis&amp;connect</source>
         <translation>&amp;Verbindung trennen</translation>
     </message>
@@ -2635,8 +2667,16 @@
         <translation>Verbinden</translation>
     </message>
     <message>
-        <source>Begin the session: needs patient, hand, screening and device (Alt+C)</source>
-        <translation>Sitzung beginnen: braucht Patient, Hand, Vorab-Fragen und Gerät (Alt+V)</translation>
+        <source>Device or cameras</source>
+        <translation>Gerät oder Kameras</translation>
+    </message>
+    <message>
+        <source>Do not connect (Alt+C)</source>
+        <translation>Nicht verbinden (Alt+C)</translation>
+    </message>
+    <message>
+        <source>Begin the session, once the steps above are done (Alt+C)</source>
+        <translation>Die Sitzung beginnen, sobald die Schritte darüber getan sind (Alt+C)</translation>
     </message>
 </context>
 <context>
@@ -2744,14 +2784,6 @@
         <translation>Die neuesten zuerst (Tab, Pfeiltasten)</translation>
     </message>
     <message>
-        <source>A device is chosen and connected on the page of the session, once patient and hand are known.</source>
-        <translation>Das Gerät wird auf der Seite der Sitzung gewählt und verbunden, sobald Patient und Hand feststehen.</translation>
-    </message>
-    <message>
-        <source>No device is connected.</source>
-        <translation>Es ist kein Gerät verbunden.</translation>
-    </message>
-    <message>
         <source>None so far.</source>
         <translation>Bisher keine.</translation>
     </message>
@@ -2840,6 +2872,18 @@ Neu verbunden: %6</translation>
     <message>
         <source>What the cameras counted</source>
         <translation>Was die Kameras gezählt haben</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Kameras</translation>
+    </message>
+    <message>
+        <source>A device, or cameras, are chosen and connected on the page of the session, once patient and hand are known.</source>
+        <translation>Ein Gerät oder Kameras werden auf der Seite der Sitzung gewählt und verbunden, sobald Patient und Hand bekannt sind.</translation>
+    </message>
+    <message>
+        <source>Nothing is connected.</source>
+        <translation>Nichts ist verbunden.</translation>
     </message>
 </context>
 <context>
@@ -3432,6 +3476,22 @@ Neu verbunden: %6</translation>
         <source>Saved.</source>
         <translation>Gespeichert.</translation>
     </message>
+    <message>
+        <source>P&amp;ostures</source>
+        <translation>&amp;Haltungen</translation>
+    </message>
+    <message>
+        <source>Postures</source>
+        <translation>Haltungen</translation>
+    </message>
+    <message>
+        <source>What an arm is asked to do with an object (Alt+O)</source>
+        <translation>Wohin ein Arm einen Gegenstand bringen soll (Alt+H)</translation>
+    </message>
+    <message>
+        <source>Saved. Trials were recorded with the former postures, which are kept as %1: with these a new series begins.</source>
+        <translation>Gespeichert. Mit den bisherigen Haltungen wurden Durchgänge aufgenommen, sie bleiben als %1 erhalten: Mit diesen beginnt eine neue Reihe.</translation>
+    </message>
 </context>
 <context>
     <name>isograsp::gui::LibraryView</name>
@@ -3968,6 +4028,240 @@ Neu verbunden: %6</translation>
     </message>
 </context>
 <context>
+    <name>isograsp::gui::PostureDesk</name>
+    <message>
+        <source>Not recorded: the arm moved by %1 mm (SD). Hold it still.</source>
+        <translation>Nicht aufgenommen: Der Arm hat sich um %1 mm bewegt (SD). Ihn stillhalten.</translation>
+    </message>
+    <message>
+        <source>Not recorded: elbow, forearm, hand and object were not seen together for a second.</source>
+        <translation>Nicht aufgenommen: Ellbogen, Unterarm, Hand und Gegenstand wurden nicht eine Sekunde zusammen gesehen.</translation>
+    </message>
+    <message>
+        <source>Recorded for a second; it moved by %1 mm (SD).</source>
+        <translation>Eine Sekunde aufgenommen; er hat sich um %1 mm bewegt (SD).</translation>
+    </message>
+    <message>
+        <source>Recorded postures</source>
+        <translation>Aufgenommene Haltungen</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::PostureEditor</name>
+    <message>
+        <source>Changed postures are another series: what is measured with them is not compared with what was measured before.</source>
+        <translation>Geänderte Haltungen sind eine andere Reihe: Was mit ihnen gemessen wird, wird nicht mit früher Gemessenem verglichen.</translation>
+    </message>
+    <message>
+        <source>Name of the file</source>
+        <translation>Name der Datei</translation>
+    </message>
+    <message>
+        <source>For people; Enter takes it (Tab)</source>
+        <translation>Für Menschen; Eingabe übernimmt ihn (Tab)</translation>
+    </message>
+    <message>
+        <source>Postures of the file</source>
+        <translation>Haltungen der Datei</translation>
+    </message>
+    <message>
+        <source>Arrow keys choose one; X, Y and Z turn its link, with Shift the other way; Ctrl with arrow and page keys moves it</source>
+        <translation>Pfeiltasten wählen eine; X, Y und Z drehen ihr Glied, mit Umschalt andersherum; Strg mit Pfeil- und Bildtasten verschiebt es</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopie</translation>
+    </message>
+    <message>
+        <source>Copy the posture</source>
+        <translation>Haltung kopieren</translation>
+    </message>
+    <message>
+        <source>The same posture once more (Tab, then space)</source>
+        <translation>Dieselbe Haltung noch einmal (Tab, dann Leertaste)</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Delete the posture</source>
+        <translation>Haltung löschen</translation>
+    </message>
+    <message>
+        <source>Takes it out of the file; Undo brings it back (Delete)</source>
+        <translation>Nimmt sie aus der Datei; Rückgängig holt sie zurück (Entf)</translation>
+    </message>
+    <message>
+        <source>Name of the posture</source>
+        <translation>Name der Haltung</translation>
+    </message>
+    <message>
+        <source>Tasks call it by that; Enter takes it (Tab)</source>
+        <translation>So nennen Aufgaben sie; Eingabe übernimmt ihn (Tab)</translation>
+    </message>
+    <message>
+        <source>Posture</source>
+        <translation>Haltung</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>What turns</source>
+        <translation>Was sich dreht</translation>
+    </message>
+    <message>
+        <source>What lies beyond it goes along (arrow keys)</source>
+        <translation>Was dahinter liegt, geht mit (Pfeiltasten)</translation>
+    </message>
+    <message>
+        <source>About whose axes</source>
+        <translation>Um wessen Achsen</translation>
+    </message>
+    <message>
+        <source>They are drawn in the picture, at the origin about which is turned (arrow keys)</source>
+        <translation>Sie sind im Bild gezeichnet, an dem Punkt, um den gedreht wird (Pfeiltasten)</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Ändern</translation>
+    </message>
+    <message>
+        <source>axes of</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Turn by, in degrees</source>
+        <translation>Drehen um, in Grad</translation>
+    </message>
+    <message>
+        <source>One step of a turn (arrow keys)</source>
+        <translation>Ein Schritt einer Drehung (Pfeiltasten)</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Move by, in millimetres</source>
+        <translation>Schieben um, in Millimetern</translation>
+    </message>
+    <message>
+        <source>One step of a move (arrow keys)</source>
+        <translation>Ein Schritt einer Verschiebung (Pfeiltasten)</translation>
+    </message>
+    <message>
+        <source>Turn by</source>
+        <translation>Drehen um</translation>
+    </message>
+    <message>
+        <source>Move by</source>
+        <translation>Schieben um</translation>
+    </message>
+    <message>
+        <source>Turn about %1, %2</source>
+        <translation>Um %1 drehen, %2</translation>
+    </message>
+    <message>
+        <source>Move along %1, %2</source>
+        <translation>Entlang %1 schieben, %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Part of the way from the initial posture, in per cent</source>
+        <translation>Teil des Weges von der Anfangshaltung, in Prozent</translation>
+    </message>
+    <message>
+        <source>0 is the initial posture, 100 this one (arrow keys)</source>
+        <translation>0 ist die Anfangshaltung, 100 diese (Pfeiltasten)</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neue</translation>
+    </message>
+    <message>
+        <source>A new posture so far on the way</source>
+        <translation>Eine neue Haltung so weit auf dem Weg</translation>
+    </message>
+    <message>
+        <source>Adds a posture so far on the way to this one; this one stays (Tab, then space)</source>
+        <translation>Fügt eine Haltung so weit auf dem Weg zu dieser hinzu; diese bleibt (Tab, dann Leertaste)</translation>
+    </message>
+    <message>
+        <source>Shorten</source>
+        <translation>Kürzen</translation>
+    </message>
+    <message>
+        <source>Shorten this posture to so much of its way</source>
+        <translation>Diese Haltung auf so viel ihres Weges kürzen</translation>
+    </message>
+    <message>
+        <source>Takes this posture back to so much of its way (Tab, then space)</source>
+        <translation>Nimmt diese Haltung auf so viel ihres Weges zurück (Tab, dann Leertaste)</translation>
+    </message>
+    <message>
+        <source>Way from the initial one</source>
+        <translation>Weg vom Anfang</translation>
+    </message>
+    <message>
+        <source>Recording the arm</source>
+        <translation>Der Arm wird aufgenommen</translation>
+    </message>
+    <message>
+        <source>The arm is held still for a second</source>
+        <translation>Der Arm wird eine Sekunde stillgehalten</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>Aufnahme abbrechen</translation>
+    </message>
+    <message>
+        <source>Record the arm: next posture</source>
+        <translation>Arm aufnehmen: nächste Haltung</translation>
+    </message>
+    <message>
+        <source>Record the arm: new file</source>
+        <translation>Arm aufnehmen: neue Datei</translation>
+    </message>
+    <message>
+        <source>The arm is held still for a second, as guided; the same markers as in this file (Tab, then space)</source>
+        <translation>Der Arm wird eine Sekunde stillgehalten, wie geführt; dieselben Marker wie in dieser Datei (Tab, dann Leertaste)</translation>
+    </message>
+    <message>
+        <source>The arm is held still for a second and becomes the initial posture of a new file: postures of one arm with other markers do not fit together (Tab, then space)</source>
+        <translation>Der Arm wird eine Sekunde stillgehalten und wird die Anfangshaltung einer neuen Datei: Haltungen mit anders geklebten Markern passen nicht zusammen (Tab, dann Leertaste)</translation>
+    </message>
+    <message>
+        <source>%1 – all others are seen from it</source>
+        <translation>%1 – von ihr aus sind alle anderen gesehen</translation>
+    </message>
+    <message>
+        <source>The initial posture: the arm is held so before the work.</source>
+        <translation>Die Anfangshaltung: So wird der Arm vor der Arbeit gehalten.</translation>
+    </message>
+    <message>
+        <source>%1 %2°, %3 mm</source>
+        <translation>%1 %2°, %3 mm</translation>
+    </message>
+    <message>
+        <source>From the initial posture: %1</source>
+        <translation>Von der Anfangshaltung: %1</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::PostureForm</name>
     <message>
         <source>Not in sight: %1</source>
@@ -3996,6 +4290,41 @@ Neu verbunden: %6</translation>
     <message>
         <source>The arm is held still for a second; targets are made for its size (Tab, then space)</source>
         <translation>Der Arm wird eine Sekunde stillgehalten; Ziele werden für seine Größe gemacht (Tab, dann Leertaste)</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::PostureView</name>
+    <message>
+        <source>The posture</source>
+        <translation>Die Haltung</translation>
+    </message>
+    <message>
+        <source>The arm in this posture from the front, from the side and from above</source>
+        <translation>Der Arm in dieser Haltung von vorn, von der Seite und von oben</translation>
+    </message>
+    <message>
+        <source>X, Y and Z turn the link, with Shift the other way; Ctrl with arrow and page keys moves it; one square is 10 cm</source>
+        <translation>X, Y und Z drehen das Glied, mit Umschalt andersherum; Strg mit Pfeil- und Bildtasten verschiebt es; ein Quadrat ist 10 cm</translation>
+    </message>
+    <message>
+        <source>The arm, and dashed the object in the initial posture</source>
+        <translation>Der Arm, und gestrichelt der Gegenstand in der Anfangshaltung</translation>
+    </message>
+    <message>
+        <source>The patient sees the object at the start, and this target.</source>
+        <translation>Der Patient sieht den Gegenstand am Anfang und dieses Ziel.</translation>
+    </message>
+    <message>
+        <source>Drawn flat: this display has no OpenGL for the 3D picture.</source>
+        <translation>Flach gezeichnet: Diese Anzeige hat kein OpenGL für das 3D-Bild.</translation>
+    </message>
+    <message>
+        <source>The object in three dimensions</source>
+        <translation>Der Gegenstand in drei Dimensionen</translation>
+    </message>
+    <message>
+        <source>As the patient sees it; the keys are those of the three sides</source>
+        <translation>Wie ihn der Patient sieht; die Tasten sind die der drei Seiten</translation>
     </message>
 </context>
 <context>
@@ -4037,10 +4366,6 @@ Neu verbunden: %6</translation>
         <translation>&amp;Linke Hand</translation>
     </message>
     <message>
-        <source>Left hand</source>
-        <translation>Linke Hand</translation>
-    </message>
-    <message>
         <source>Alt+L</source>
         <translation>Alt+L</translation>
     </message>
@@ -4049,24 +4374,12 @@ Neu verbunden: %6</translation>
         <translation>&amp;Rechte Hand</translation>
     </message>
     <message>
-        <source>Right hand</source>
-        <translation>Rechte Hand</translation>
-    </message>
-    <message>
         <source>Alt+R</source>
         <translation>Alt+R</translation>
     </message>
     <message>
         <source>Yes, the less affected hand</source>
         <translation>Ja, die weniger betroffene Hand</translation>
-    </message>
-    <message>
-        <source>Yes, today the less affected hand</source>
-        <translation>Ja, heute die weniger betroffene Hand</translation>
-    </message>
-    <message>
-        <source>The hand on the affected side is another one; this one is meant (Tab, then space)</source>
-        <translation>Die Hand der betroffenen Seite ist eine andere; diese ist gemeint (Tab, dann Leertaste)</translation>
     </message>
     <message>
         <source>left</source>
@@ -4107,6 +4420,38 @@ Neu verbunden: %6</translation>
     <message>
         <source>Start posture</source>
         <translation>Ausgangshaltung</translation>
+    </message>
+    <message>
+        <source>Arm today</source>
+        <translation>Arm heute</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Kameras</translation>
+    </message>
+    <message>
+        <source>Device or cameras</source>
+        <translation>Gerät oder Kameras</translation>
+    </message>
+    <message>
+        <source>Zero or start posture</source>
+        <translation>Nullpunkt oder Ausgangshaltung</translation>
+    </message>
+    <message>
+        <source>&amp;Left arm</source>
+        <translation>&amp;Linker Arm</translation>
+    </message>
+    <message>
+        <source>&amp;Right arm</source>
+        <translation>&amp;Rechter Arm</translation>
+    </message>
+    <message>
+        <source>Yes, the less affected arm</source>
+        <translation>Ja, der weniger betroffene Arm</translation>
+    </message>
+    <message>
+        <source>The affected side is the other one; this one is meant (Tab, then space)</source>
+        <translation>Betroffen ist die andere Seite; diese ist gemeint (Tab, dann Leertaste)</translation>
     </message>
 </context>
 <context>
@@ -4799,6 +5144,10 @@ Neu verbunden: %6</translation>
     <message>
         <source>End the session and disconnect (Tab, then Enter)</source>
         <translation>Sitzung beenden und trennen (Tab, dann Eingabe)</translation>
+    </message>
+    <message>
+        <source>The patient&apos;s screen shows how a healthy arm does this task (F7, Alt+W)</source>
+        <translation>Der Bildschirm des Patienten zeigt, wie ein gesunder Arm diese Aufgabe macht (F7, Alt+W)</translation>
     </message>
 </context>
 <context>
@@ -5625,10 +5974,6 @@ Neu verbunden: %6</translation>
         <translation>SIMULIERT</translation>
     </message>
     <message>
-        <source>Forces come from software or a file, not from a person at this device</source>
-        <translation>Die Kräfte kommen aus Software oder einer Datei, nicht von einer Person an diesem Gerät</translation>
-    </message>
-    <message>
         <source>Patient screen</source>
         <translation>Patientenbildschirm</translation>
     </message>
@@ -5707,6 +6052,18 @@ Neu verbunden: %6</translation>
     <message>
         <source>Closes the window&apos;s pages until somebody logs in (F12)</source>
         <translation>Schließt die Seiten des Fensters, bis sich jemand anmeldet (F12)</translation>
+    </message>
+    <message>
+        <source>What is measured comes from software or a file, not from a person here</source>
+        <translation>Was gemessen wird, kommt aus Software oder einer Datei, nicht von einem Menschen hier</translation>
+    </message>
+    <message>
+        <source>Cameras: %1</source>
+        <translation>Kameras: %1</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Kameras</translation>
     </message>
 </context>
 <context>

@@ -409,10 +409,6 @@
         <translation>Ce protocole a été interrompu aujourd’hui&#xa0;: reprendre ou recommencer&#xa0;?</translation>
     </message>
     <message>
-        <source>Choose the device.</source>
-        <translation>Choisissez l’appareil.</translation>
-    </message>
-    <message>
         <source>Connect the device to begin the session.</source>
         <translation>Connectez l’appareil pour commencer la séance.</translation>
     </message>
@@ -592,6 +588,26 @@
         <source>Connect the cameras to begin the session.</source>
         <translation>Connecter les caméras pour commencer la séance.</translation>
     </message>
+    <message>
+        <source>Which hand works today? Choose right or left.</source>
+        <translation>Quelle main travaille aujourd’hui&#xa0;? Choisissez droite ou gauche.</translation>
+    </message>
+    <message>
+        <source>Ask the screening questions before any work.</source>
+        <translation>Posez les questions préalables avant tout travail.</translation>
+    </message>
+    <message>
+        <source>Choose the device, or the cameras that see an arm.</source>
+        <translation>Choisissez l’appareil, ou les caméras qui voient un bras.</translation>
+    </message>
+    <message>
+        <source>Connect the cameras first.</source>
+        <translation>Connectez d’abord les caméras.</translation>
+    </message>
+    <message>
+        <source>Connect a device or cameras first.</source>
+        <translation>Connectez d’abord un appareil ou des caméras.</translation>
+    </message>
 </context>
 <context>
     <name>LibraryPreview</name>
@@ -753,6 +769,26 @@
     <message>
         <source>Entry test of the hand</source>
         <translation>Test d’entrée de la main</translation>
+    </message>
+    <message>
+        <source>Postures</source>
+        <translation>Postures</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Bras</translation>
+    </message>
+    <message>
+        <source>left, mirrored</source>
+        <translation>gauche, en miroir</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>droit</translation>
+    </message>
+    <message>
+        <source>An own task names them</source>
+        <translation>Une tâche propre les nomme</translation>
     </message>
 </context>
 <context>
@@ -1072,6 +1108,10 @@
     <message>
         <source>Close your hand</source>
         <translation>Fermez la main</translation>
+    </message>
+    <message>
+        <source>The cameras need help. You did nothing wrong. Relax your arm.</source>
+        <translation>Les caméras ont besoin d’aide. Vous n’avez rien fait de mal. Relâchez le bras.</translation>
     </message>
 </context>
 <context>
@@ -2583,10 +2623,6 @@
 <context>
     <name>isograsp::gui::ConnectForm</name>
     <message>
-        <source>Device</source>
-        <translation>Appareil</translation>
-    </message>
-    <message>
         <source>What is present now, simulated patients, recordings (Alt+4, then arrow keys)</source>
         <translation>Ce qui est présent, patients simulés, enregistrements (Alt+4, puis flèches)</translation>
     </message>
@@ -2611,10 +2647,6 @@
         <translation>Annuler la connexion</translation>
     </message>
     <message>
-        <source>Do not connect to this device (Alt+C)</source>
-        <translation>Ne pas se connecter à cet appareil (Alt+X)</translation>
-    </message>
-    <message>
         <source>Dis&amp;connect</source>
         <translation>Dé&amp;connecter</translation>
     </message>
@@ -2635,8 +2667,16 @@
         <translation>Connecter</translation>
     </message>
     <message>
-        <source>Begin the session: needs patient, hand, screening and device (Alt+C)</source>
-        <translation>Commencer la séance&#xa0;: exige patient, main, questions préalables et appareil (Alt+C)</translation>
+        <source>Device or cameras</source>
+        <translation>Appareil ou caméras</translation>
+    </message>
+    <message>
+        <source>Do not connect (Alt+C)</source>
+        <translation>Ne pas connecter (Alt+C)</translation>
+    </message>
+    <message>
+        <source>Begin the session, once the steps above are done (Alt+C)</source>
+        <translation>Commencer la séance, une fois les étapes du dessus faites (Alt+C)</translation>
     </message>
 </context>
 <context>
@@ -2744,14 +2784,6 @@
         <translation>Les plus récents d’abord (Tab, flèches)</translation>
     </message>
     <message>
-        <source>A device is chosen and connected on the page of the session, once patient and hand are known.</source>
-        <translation>L’appareil se choisit et se connecte sur la page de la séance, une fois le patient et la main connus.</translation>
-    </message>
-    <message>
-        <source>No device is connected.</source>
-        <translation>Aucun appareil n’est connecté.</translation>
-    </message>
-    <message>
         <source>None so far.</source>
         <translation>Aucun jusqu’ici.</translation>
     </message>
@@ -2840,6 +2872,18 @@ Reconnexions&#xa0;: %6</translation>
     <message>
         <source>What the cameras counted</source>
         <translation>Ce que les caméras ont compté</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Caméras</translation>
+    </message>
+    <message>
+        <source>A device, or cameras, are chosen and connected on the page of the session, once patient and hand are known.</source>
+        <translation>Un appareil, ou des caméras, se choisissent et se connectent sur la page de la séance, une fois le patient et la main connus.</translation>
+    </message>
+    <message>
+        <source>Nothing is connected.</source>
+        <translation>Rien n’est connecté.</translation>
     </message>
 </context>
 <context>
@@ -3432,6 +3476,22 @@ Reconnexions&#xa0;: %6</translation>
         <source>Saved.</source>
         <translation>Enregistré.</translation>
     </message>
+    <message>
+        <source>P&amp;ostures</source>
+        <translation>P&amp;ostures</translation>
+    </message>
+    <message>
+        <source>Postures</source>
+        <translation>Postures</translation>
+    </message>
+    <message>
+        <source>What an arm is asked to do with an object (Alt+O)</source>
+        <translation>Où un bras doit amener un objet (Alt+O)</translation>
+    </message>
+    <message>
+        <source>Saved. Trials were recorded with the former postures, which are kept as %1: with these a new series begins.</source>
+        <translation>Enregistré. Des essais ont été enregistrés avec les postures d’avant, conservées sous&#xa0;%1&#xa0;: avec celles-ci commence une nouvelle série.</translation>
+    </message>
 </context>
 <context>
     <name>isograsp::gui::LibraryView</name>
@@ -3968,6 +4028,240 @@ Reconnexions&#xa0;: %6</translation>
     </message>
 </context>
 <context>
+    <name>isograsp::gui::PostureDesk</name>
+    <message>
+        <source>Not recorded: the arm moved by %1 mm (SD). Hold it still.</source>
+        <translation>Non enregistré&#xa0;: le bras a bougé de&#xa0;%1 mm (écart-type). Gardez-le immobile.</translation>
+    </message>
+    <message>
+        <source>Not recorded: elbow, forearm, hand and object were not seen together for a second.</source>
+        <translation>Non enregistré&#xa0;: coude, avant-bras, main et objet n’ont pas été vus ensemble pendant une seconde.</translation>
+    </message>
+    <message>
+        <source>Recorded for a second; it moved by %1 mm (SD).</source>
+        <translation>Enregistré pendant une seconde&#xa0;; il a bougé de&#xa0;%1 mm (écart-type).</translation>
+    </message>
+    <message>
+        <source>Recorded postures</source>
+        <translation>Postures enregistrées</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::PostureEditor</name>
+    <message>
+        <source>Changed postures are another series: what is measured with them is not compared with what was measured before.</source>
+        <translation>Des postures changées sont une autre série&#xa0;: ce qui est mesuré avec elles n’est pas comparé à ce qui l’a été avant.</translation>
+    </message>
+    <message>
+        <source>Name of the file</source>
+        <translation>Nom du fichier</translation>
+    </message>
+    <message>
+        <source>For people; Enter takes it (Tab)</source>
+        <translation>Pour les personnes&#xa0;; Entrée le prend (Tab)</translation>
+    </message>
+    <message>
+        <source>Postures of the file</source>
+        <translation>Postures du fichier</translation>
+    </message>
+    <message>
+        <source>Arrow keys choose one; X, Y and Z turn its link, with Shift the other way; Ctrl with arrow and page keys moves it</source>
+        <translation>Les flèches en choisissent une&#xa0;; X, Y et Z tournent son segment, avec Maj dans l’autre sens&#xa0;; Ctrl avec les flèches et les touches de page le déplace</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Copy the posture</source>
+        <translation>Copier la posture</translation>
+    </message>
+    <message>
+        <source>The same posture once more (Tab, then space)</source>
+        <translation>La même posture encore une fois (Tab, puis espace)</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Delete the posture</source>
+        <translation>Supprimer la posture</translation>
+    </message>
+    <message>
+        <source>Takes it out of the file; Undo brings it back (Delete)</source>
+        <translation>La retire du fichier&#xa0;; Annuler la ramène (Suppr)</translation>
+    </message>
+    <message>
+        <source>Name of the posture</source>
+        <translation>Nom de la posture</translation>
+    </message>
+    <message>
+        <source>Tasks call it by that; Enter takes it (Tab)</source>
+        <translation>Les tâches l’appellent ainsi&#xa0;; Entrée le prend (Tab)</translation>
+    </message>
+    <message>
+        <source>Posture</source>
+        <translation>Posture</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>What turns</source>
+        <translation>Ce qui tourne</translation>
+    </message>
+    <message>
+        <source>What lies beyond it goes along (arrow keys)</source>
+        <translation>Ce qui est au-delà suit (flèches)</translation>
+    </message>
+    <message>
+        <source>About whose axes</source>
+        <translation>Autour de quels axes</translation>
+    </message>
+    <message>
+        <source>They are drawn in the picture, at the origin about which is turned (arrow keys)</source>
+        <translation>Ils sont dessinés dans l’image, au point autour duquel on tourne (flèches)</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Changer</translation>
+    </message>
+    <message>
+        <source>axes of</source>
+        <translation>axes de</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Turn by, in degrees</source>
+        <translation>Tourner de, en degrés</translation>
+    </message>
+    <message>
+        <source>One step of a turn (arrow keys)</source>
+        <translation>Un pas de rotation (flèches)</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Move by, in millimetres</source>
+        <translation>Déplacer de, en millimètres</translation>
+    </message>
+    <message>
+        <source>One step of a move (arrow keys)</source>
+        <translation>Un pas de déplacement (flèches)</translation>
+    </message>
+    <message>
+        <source>Turn by</source>
+        <translation>Tourner de</translation>
+    </message>
+    <message>
+        <source>Move by</source>
+        <translation>Déplacer de</translation>
+    </message>
+    <message>
+        <source>Turn about %1, %2</source>
+        <translation>Tourner autour de&#xa0;%1,&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>Move along %1, %2</source>
+        <translation>Déplacer le long de&#xa0;%1,&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation>&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Part of the way from the initial posture, in per cent</source>
+        <translation>Part du chemin depuis la posture initiale, en pour cent</translation>
+    </message>
+    <message>
+        <source>0 is the initial posture, 100 this one (arrow keys)</source>
+        <translation>0 est la posture initiale, 100 celle-ci (flèches)</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Nouvelle</translation>
+    </message>
+    <message>
+        <source>A new posture so far on the way</source>
+        <translation>Une nouvelle posture à ce point du chemin</translation>
+    </message>
+    <message>
+        <source>Adds a posture so far on the way to this one; this one stays (Tab, then space)</source>
+        <translation>Ajoute une posture à ce point du chemin vers celle-ci, qui reste (Tab, puis espace)</translation>
+    </message>
+    <message>
+        <source>Shorten</source>
+        <translation>Raccourcir</translation>
+    </message>
+    <message>
+        <source>Shorten this posture to so much of its way</source>
+        <translation>Raccourcir cette posture à cette part de son chemin</translation>
+    </message>
+    <message>
+        <source>Takes this posture back to so much of its way (Tab, then space)</source>
+        <translation>Ramène cette posture à cette part de son chemin (Tab, puis espace)</translation>
+    </message>
+    <message>
+        <source>Way from the initial one</source>
+        <translation>Chemin depuis l’initiale</translation>
+    </message>
+    <message>
+        <source>Recording the arm</source>
+        <translation>Enregistrement du bras</translation>
+    </message>
+    <message>
+        <source>The arm is held still for a second</source>
+        <translation>Le bras reste immobile une seconde</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>Arrêter l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Record the arm: next posture</source>
+        <translation>Enregistrer le bras&#xa0;: posture suivante</translation>
+    </message>
+    <message>
+        <source>Record the arm: new file</source>
+        <translation>Enregistrer le bras&#xa0;: nouveau fichier</translation>
+    </message>
+    <message>
+        <source>The arm is held still for a second, as guided; the same markers as in this file (Tab, then space)</source>
+        <translation>Le bras reste immobile une seconde, tel que guidé&#xa0;; les mêmes marqueurs que dans ce fichier (Tab, puis espace)</translation>
+    </message>
+    <message>
+        <source>The arm is held still for a second and becomes the initial posture of a new file: postures of one arm with other markers do not fit together (Tab, then space)</source>
+        <translation>Le bras reste immobile une seconde et devient la posture initiale d’un nouveau fichier&#xa0;: des postures avec des marqueurs posés autrement ne vont pas ensemble (Tab, puis espace)</translation>
+    </message>
+    <message>
+        <source>%1 – all others are seen from it</source>
+        <translation>%1 – toutes les autres sont vues depuis elle</translation>
+    </message>
+    <message>
+        <source>The initial posture: the arm is held so before the work.</source>
+        <translation>La posture initiale&#xa0;: le bras est tenu ainsi avant le travail.</translation>
+    </message>
+    <message>
+        <source>%1 %2°, %3 mm</source>
+        <translation>%1&#xa0;%2°,&#xa0;%3 mm</translation>
+    </message>
+    <message>
+        <source>From the initial posture: %1</source>
+        <translation>Depuis la posture initiale&#xa0;:&#xa0;%1</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::PostureForm</name>
     <message>
         <source>Not in sight: %1</source>
@@ -3996,6 +4290,41 @@ Reconnexions&#xa0;: %6</translation>
     <message>
         <source>The arm is held still for a second; targets are made for its size (Tab, then space)</source>
         <translation>Le bras reste immobile une seconde&#xa0;; les cibles sont faites pour sa taille (Tab, puis espace)</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::PostureView</name>
+    <message>
+        <source>The posture</source>
+        <translation>La posture</translation>
+    </message>
+    <message>
+        <source>The arm in this posture from the front, from the side and from above</source>
+        <translation>Le bras dans cette posture de face, de côté et de dessus</translation>
+    </message>
+    <message>
+        <source>X, Y and Z turn the link, with Shift the other way; Ctrl with arrow and page keys moves it; one square is 10 cm</source>
+        <translation>X, Y et Z tournent le segment, avec Maj dans l’autre sens&#xa0;; Ctrl avec les flèches et les touches de page le déplace&#xa0;; un carré fait 10 cm</translation>
+    </message>
+    <message>
+        <source>The arm, and dashed the object in the initial posture</source>
+        <translation>Le bras, et en pointillé l’objet dans la posture initiale</translation>
+    </message>
+    <message>
+        <source>The patient sees the object at the start, and this target.</source>
+        <translation>Le patient voit l’objet au départ, et cette cible.</translation>
+    </message>
+    <message>
+        <source>Drawn flat: this display has no OpenGL for the 3D picture.</source>
+        <translation>Dessin à plat&#xa0;: cet affichage n’a pas OpenGL pour l’image 3D.</translation>
+    </message>
+    <message>
+        <source>The object in three dimensions</source>
+        <translation>L’objet en trois dimensions</translation>
+    </message>
+    <message>
+        <source>As the patient sees it; the keys are those of the three sides</source>
+        <translation>Comme le patient le voit&#xa0;; les touches sont celles des trois côtés</translation>
     </message>
 </context>
 <context>
@@ -4037,10 +4366,6 @@ Reconnexions&#xa0;: %6</translation>
         <translation>Main &amp;gauche</translation>
     </message>
     <message>
-        <source>Left hand</source>
-        <translation>Main gauche</translation>
-    </message>
-    <message>
         <source>Alt+L</source>
         <translation>Alt+G</translation>
     </message>
@@ -4049,24 +4374,12 @@ Reconnexions&#xa0;: %6</translation>
         <translation>Main &amp;droite</translation>
     </message>
     <message>
-        <source>Right hand</source>
-        <translation>Main droite</translation>
-    </message>
-    <message>
         <source>Alt+R</source>
         <translation>Alt+D</translation>
     </message>
     <message>
         <source>Yes, the less affected hand</source>
         <translation>Oui, la main la moins atteinte</translation>
-    </message>
-    <message>
-        <source>Yes, today the less affected hand</source>
-        <translation>Oui, aujourd’hui la main la moins atteinte</translation>
-    </message>
-    <message>
-        <source>The hand on the affected side is another one; this one is meant (Tab, then space)</source>
-        <translation>La main du côté atteint est l’autre&#xa0;; c’est bien celle-ci (Tab, puis Espace)</translation>
     </message>
     <message>
         <source>left</source>
@@ -4107,6 +4420,38 @@ Reconnexions&#xa0;: %6</translation>
     <message>
         <source>Start posture</source>
         <translation>Posture de départ</translation>
+    </message>
+    <message>
+        <source>Arm today</source>
+        <translation>Bras du jour</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Caméras</translation>
+    </message>
+    <message>
+        <source>Device or cameras</source>
+        <translation>Appareil ou caméras</translation>
+    </message>
+    <message>
+        <source>Zero or start posture</source>
+        <translation>Zéro ou posture de départ</translation>
+    </message>
+    <message>
+        <source>&amp;Left arm</source>
+        <translation>Bras &amp;gauche</translation>
+    </message>
+    <message>
+        <source>&amp;Right arm</source>
+        <translation>Bras &amp;droit</translation>
+    </message>
+    <message>
+        <source>Yes, the less affected arm</source>
+        <translation>Oui, le bras le moins atteint</translation>
+    </message>
+    <message>
+        <source>The affected side is the other one; this one is meant (Tab, then space)</source>
+        <translation>Le côté atteint est l’autre&#xa0;; c’est bien celui-ci (Tab, puis espace)</translation>
     </message>
 </context>
 <context>
@@ -4799,6 +5144,10 @@ Reconnexions&#xa0;: %6</translation>
     <message>
         <source>End the session and disconnect (Tab, then Enter)</source>
         <translation>Finir la séance et déconnecter (Tab, puis Entrée)</translation>
+    </message>
+    <message>
+        <source>The patient&apos;s screen shows how a healthy arm does this task (F7, Alt+W)</source>
+        <translation>L’écran du patient montre comment un bras sain fait cette tâche (F7, Alt+W)</translation>
     </message>
 </context>
 <context>
@@ -5625,10 +5974,6 @@ Reconnexions&#xa0;: %6</translation>
         <translation>SIMULÉ</translation>
     </message>
     <message>
-        <source>Forces come from software or a file, not from a person at this device</source>
-        <translation>Les forces viennent d’un logiciel ou d’un fichier, pas d’une personne sur cet appareil</translation>
-    </message>
-    <message>
         <source>Patient screen</source>
         <translation>Écran du patient</translation>
     </message>
@@ -5707,6 +6052,18 @@ Reconnexions&#xa0;: %6</translation>
     <message>
         <source>Closes the window&apos;s pages until somebody logs in (F12)</source>
         <translation>Ferme les pages de la fenêtre jusqu’à ce que quelqu’un se connecte (F12)</translation>
+    </message>
+    <message>
+        <source>What is measured comes from software or a file, not from a person here</source>
+        <translation>Ce qui est mesuré vient d’un logiciel ou d’un fichier, pas d’une personne ici</translation>
+    </message>
+    <message>
+        <source>Cameras: %1</source>
+        <translation>Caméras&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Caméras</translation>
     </message>
 </context>
 <context>

@@ -3,38 +3,27 @@
 #pragma once
 
 #include <QImage>
-#include <QOpenGLWindow>
 #include <memory>
 
-#include "gui/patient_screen/object_scene.hpp"
+#include "gui/patient_screen/object_window.hpp"
 #include "gui/trial_pages/loaded_trial.hpp"
 
 namespace isograsp::gui {
 
-class ReplayWindow final : public QOpenGLWindow {
+class ReplayWindow final : public ObjectWindow {
   Q_OBJECT
 
  public:
-  ReplayWindow() = default;
-  ~ReplayWindow() override;
-
   void show_trial(std::shared_ptr<const LoadedTrial> trial);
   void show_state(const ReplayState& state);
 
- Q_SIGNALS:
-  void key_pressed(int key);  ///< a window in a widget keeps its keys to itself
-
  protected:
-  void initializeGL() override;
-  void paintGL() override;
-  void keyPressEvent(QKeyEvent* event) override;
+  void paint_over(QPainter& painter, const ObjectScene& scene, QSize size_px) override;
 
  private:
-  std::shared_ptr<const LoadedTrial> trial_;
-  ReplayState state_;
-  void draw_path(QSize size_px);
+  void draw_path(const ObjectScene& scene, QSize size_px);
 
-  std::unique_ptr<ObjectScene> scene_;
+  std::shared_ptr<const LoadedTrial> trial_;
   QImage path_;  ///< the camera never moves: the path is projected once
 };
 

@@ -8,8 +8,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "kinematics/posture_edit.hpp"
+#include "kinematics/tables/pose_csv.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/every.hpp"
+#include "tests/support/must.hpp"
 #include "tests/support/within.hpp"
 
 namespace isograsp::app::markers_test {
@@ -164,6 +167,35 @@ TEST(Markers, PosturesAreRecordedAndGivenBackToTheSameArm) {
                               data("task_plain_poses.csv"));
   EXPECT_EQ(other.status, 2);
   EXPECT_NE(other.err.find("has no frame 'elbow'"), std::string::npos) << other.err;
+}
+
+TEST(Markers, PosturesThatWereChangedByHandAreAdaptedAsTheyStandInTheirFile) {
+  const TemporaryFolder folder;
+  Postures library = test::must(parse_postures(read_file(data("postures.toml")), "postures.toml"));
+  const Posture initial = library.postures.front();
+  const Posture turned = with_link_changed(initial, 1, turn_about(EditAxis::x, 0.5), EditAxes::own);
+  library.postures.push_back(turned);
+  library.postures.back().name = "turned";
+  library.postures.push_back(part_of_the_way(initial, turned, 0.0));
+  library.postures.back().name = "not turned";
+  const auto written = folder.write("own.toml", postures_text(library));
+  const auto poses =
+      answer("adapt --postures " + written + " --start " + data("adapt_start1.csv"))["poses"];
+  const auto series = test::must(read_poses(data("adapt_start1.csv")));
+  const auto start = test::must(start_posture(series, library.chain));
+  ASSERT_EQ(poses.size(), library.postures.size());
+  constexpr double kSame = 1e-12;
+  for (std::size_t j = 0; j < library.postures.size(); ++j) {
+    EXPECT_EQ(poses[j]["posture"], library.postures[j].name);
+    const Pose X_WO = adapted(library, j, start, SizeScale::none);
+    for (std::size_t a = 0; a < 3; ++a)
+      EXPECT_WITHIN(poses[j]["position_m"][a].get<double>(), X_WO.p[static_cast<Eigen::Index>(a)],
+                    kSame);
+  }
+  for (std::size_t a = 0; a < 3; ++a)
+    EXPECT_WITHIN(poses.back()["position_m"][a].get<double>(),
+                  poses[0]["position_m"][a].get<double>(), kSame)
+        << "nothing of the way is the initial posture";
 }
 
 TEST(Markers, BoxPlotsAndPairsAgreeWithTheReference) {

@@ -214,6 +214,17 @@ QImage painted(const PatientPicture& picture) {
   return image;
 }
 
+TEST(ArmPicture, AskedForSomethingThatIsNotDrawnThePatientReadsWhatToDo) {
+  session::ArmSnapshot now = frame(0);
+  now.stage = session::Stage::trial;
+  now.segments = {};
+  now.last_X_WO = missing_pose();
+  const auto facts = facts_of(now, "arm_drinking.toml");
+  const PatientPicture picture = picture_for(facts);
+  EXPECT_EQ(picture.page, PatientPicture::Page::message);
+  EXPECT_TRUE(picture.headline.starts_with("Take the glass")) << picture.headline;
+}
+
 TEST(ArmPicture, TheRangeSoFarIsOnItsPageMirroredForALeftArm) {
   application();
   session::ArmSnapshot now = in_trial();

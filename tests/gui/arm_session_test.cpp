@@ -192,6 +192,69 @@ TEST_F(ArmInWindows, AnArmIsAskedItsOwnQuestionsAndNoneOfItsWordsAreThoseOfThePl
   EXPECT_FALSE(answers.contains("injury")) << "a question of the platform";
 }
 
+TEST_F(ArmInWindows, ThePatientWatchesAHealthyArmDoTheTaskWithoutADeviceAndNothingIsStored) {
+  operator_.prepare_person("hand_left");
+  operator_.choose_device(kArmUri);
+  windows_.presenter().choices().choose_protocol(std::nullopt);
+  for (const auto& [kind, page] : {std::pair{"pose_matching", PatientPicture::Page::object},
+                                   std::pair{"pose_following", PatientPicture::Page::object},
+                                   std::pair{"active_range", PatientPicture::Page::range}}) {
+    operator_.choose_task(kind);
+    operator_.press("show_how");
+    ASSERT_TRUE(wait_until([&] { return picture().example && picture().page == page; }))
+        << kind << ": " << label("message").toStdString();
+    EXPECT_EQ(picture().detail, "Watch how it is done");
+    EXPECT_FALSE(picture().simulated) << "it is marked as a demonstration, as nothing else";
+    if (page == PatientPicture::Page::object) {
+      EXPECT_TRUE(picture().in_space);
+      EXPECT_TRUE(wait_until([&] { return picture().target_shown; })) << kind;
+    } else {
+      EXPECT_TRUE(wait_until([&] { return picture().angle.ranged; })) << kind;
+    }
+    operator_.press("show_how");
+    EXPECT_FALSE(picture().example);
+  }
+  operator_.choose_task("drinking");
+  EXPECT_FALSE(is_there("show_how"));
+  EXPECT_TRUE(is_there("not_shown"));
+  EXPECT_TRUE(label("not_shown").contains("yourself")) << label("not_shown").toStdString();
+  EXPECT_FALSE(state().session_open());
+  const auto store =
+      must(storage::open_store(folder_.path("clinic.db"), storage::OpenMode::read_only));
+  EXPECT_TRUE(must(store->recent_sessions(1)).empty());
+}
+
+TEST_F(ArmInWindows, StepsAreNumberedWithoutAGapAndNamedAsWhatMeasuresThem) {
+  const auto steps = [&] {
+    QStringList names;
+    for (int place = 1; place <= static_cast<int>(kStepCount); ++place) {
+      auto& head = operator_.find<QPushButton>(qPrintable(QStringLiteral("section_%1").arg(place)));
+      if (!head.isVisible()) continue;
+      names << head.accessibleName().section(':', 0, 0);
+      EXPECT_EQ(head.shortcut(), QKeySequence(Qt::ALT | (Qt::Key_0 + names.size())));
+    }
+    return names;
+  };
+  operator_.add_patient();
+  windows_.therapist().show_page(TherapistWindow::Page::session);
+  EXPECT_EQ(steps(), (QStringList{"Step 1 of 7, Patient", "Step 2 of 7, Hand today",
+                                  "Step 3 of 7, Screening", "Step 4 of 7, Device or cameras",
+                                  "Step 5 of 7, Zero or start posture", "Step 6 of 7, Hand in",
+                                  "Step 7 of 7, Protocol"}));
+  operator_.choose_device(kArmUri);
+  EXPECT_EQ(steps(), (QStringList{"Step 1 of 6, Patient", "Step 2 of 6, Arm today",
+                                  "Step 3 of 6, Screening", "Step 4 of 6, Cameras",
+                                  "Step 5 of 6, Start posture", "Step 6 of 6, Protocol"}));
+  EXPECT_EQ(operator_.find<QPushButton>("hand_left").text(), "&Left arm");
+  EXPECT_EQ(operator_.find<QPushButton>("page_4").text(), "Cameras");
+  EXPECT_EQ(operator_.find<QPushButton>("page_4").shortcut(), QKeySequence("Ctrl+4"));
+  operator_.choose_device("sim://healthy?seed=7");
+  EXPECT_EQ(steps(), (QStringList{"Step 1 of 7, Patient", "Step 2 of 7, Hand today",
+                                  "Step 3 of 7, Screening", "Step 4 of 7, Device",
+                                  "Step 5 of 7, Zero, empty", "Step 6 of 7, Hand in",
+                                  "Step 7 of 7, Protocol"}));
+}
+
 TEST_F(ArmInWindows, ALeftArmIsPausedGoesOnAndIsStoppedAsOnThePlatform) {
   connect("hand_left");
   EXPECT_TRUE(wait_until([&] { return is_there("arm_remark"); })) << "its targets are mirrored";

@@ -470,6 +470,37 @@ TEST(Flow, ASensorThatStartsAnewWhileTheTherapistPausesAsksForRestToo) {
   EXPECT_TRUE(decide(facts).may_resume);
 }
 
+TEST(Flow, ATaskThatNoScreenShowsSaysWhy) {
+  FlowFacts facts = connected();
+  EXPECT_TRUE(decide(facts).may_show_how);
+  EXPECT_TRUE(decide(facts).not_shown.empty());
+  facts.task_not_shown = "Show it yourself."_text;
+  EXPECT_FALSE(decide(facts).may_show_how);
+  EXPECT_EQ(decide(facts).not_shown, facts.task_not_shown);
+  facts.task_chosen = false;
+  EXPECT_TRUE(decide(facts).not_shown.empty()) << "of no task there is nothing to say";
+}
+
+TEST(Flow, UntilItIsKnownWhatMeasuresTheWordsFitADeviceAndCameras) {
+  FlowFacts facts = fresh();
+  facts.patient_chosen = true;
+  EXPECT_FALSE(decide(facts).device_known);
+  for (int done = 0; done < 3; ++done) {
+    facts.hand_chosen = done > 0;
+    facts.screened = done > 1;
+    const FlowView view = decide(facts);
+    for (const std::string& said : {view.sentence, view.start_hint})
+      for (const char* of_one : {"the device first", "in the device", "force", "movement"})
+        EXPECT_EQ(said.find(of_one), std::string::npos) << said;
+  }
+  EXPECT_NE(decide(facts).sentence.find("cameras"), std::string::npos);
+  facts.device_chosen = true;
+  EXPECT_TRUE(decide(facts).device_known);
+  EXPECT_NE(decide(facts).start_hint.find("the device"), std::string::npos);
+  facts.start_posture = true;
+  EXPECT_NE(decide(facts).start_hint.find("the cameras"), std::string::npos);
+}
+
 TEST(Flow, AfterAFaultNothingBeginsByItself) {
   FlowFacts facts = in_protocol(ProtocolFacts::Act::trial);
   facts.protocol.goes_on = true;

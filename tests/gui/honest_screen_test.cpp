@@ -332,7 +332,7 @@ void before_cameras(Judge& judge) {
   facts.connection = Connection::open;
   facts.patient_chosen = facts.hand_chosen = facts.screened = facts.device_chosen = true;
   facts.start_posture = facts.rest_done = true;
-  facts.asks_rest = facts.task_rests = facts.task_can_be_shown = false;
+  facts.asks_rest = facts.task_rests = false;
   std::set<std::tuple<Situation, DeviceCondition, ProtocolFacts::Act>> told;
   every(facts,
         {zeros, stages, cameras, arrivals, flag(&FlowFacts::zero_asked), flag(&FlowFacts::starting),
@@ -341,11 +341,11 @@ void before_cameras(Judge& judge) {
         [&](const FlowFacts& now) {
           judge.look(now);
           const FlowView seen = isograsp::gui::judge(now);
-          ASSERT_FALSE(seen.may_check || seen.may_strap || seen.may_show_how);
+          ASSERT_FALSE(seen.may_check || seen.may_strap);
           if (!told.insert({seen.situation, seen.device, now.protocol.act}).second) return;
           const FlowView view = decide(now);
           for (const std::string& said : {view.sentence, view.device_words, view.start_hint})
-            for (const char* of_forces : {"empty", "forces", "strap", "hand out", "zero"})
+            for (const char* of_forces : {"empty", "forces", "strap", "hand out", "zero", "device"})
               EXPECT_EQ(said.find(of_forces), std::string::npos) << said;
         });
 }

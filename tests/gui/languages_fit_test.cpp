@@ -170,6 +170,37 @@ TEST_P(ArmPage, CutsNoTextOff) {
   EXPECT_GT(seen, 100);
 }
 
+/// The form of postures stands in the place of a text.
+class PosturesOfTheLibrary : public FilledWindow,
+                             public ::testing::WithParamInterface<const char*> {
+ protected:
+  PosturesOfTheLibrary() : FilledWindow(GetParam(), 100) {
+    windows_->therapist().show_page(TherapistWindow::Page::library);
+  }
+};
+INSTANTIATE_TEST_SUITE_P(, PosturesOfTheLibrary, ::testing::ValuesIn(test::every_language()),
+                         test::code_of_language);
+
+TEST_P(PosturesOfTheLibrary, CutNoTextOff) {
+  auto& window = windows_->therapist();
+  widget_called<QPushButton>("library_postures", window).click();
+  auto& list = widget_called<QListWidget>("posture_list", window);
+  ASSERT_TRUE(wait_until([&] { return list.isVisible() && list.count() > 1; }));
+  widget_called<QPushButton>("library_duplicate", window).click();
+  auto& turn = widget_called<QPushButton>("posture_turn_x_on", window);
+  ASSERT_TRUE(wait_until([&] { return turn.isEnabled(); }));
+  list.setCurrentRow(7);
+  turn.click();
+  ASSERT_TRUE(
+      wait_until([&] { return widget_called<QPushButton>("library_save", window).isEnabled(); }));
+  keep_pictures_of_both_sizes(window, QStringLiteral("postures_%1").arg(GetParam()));
+  int seen = 0;
+  show_hidden_controls(widget_called<QWidget>("posture_editor", window));
+  EXPECT_TRUE(laid_out(window));
+  EXPECT_EQ(cut_texts(window, "postures", seen), std::set<std::string>{});
+  EXPECT_GT(seen, 40);
+}
+
 TEST_P(EveryPage, CutsNoTextOff) {
   std::set<std::string> cut;
   int seen = 0;

@@ -9,8 +9,10 @@
 
 #include "core/files.hpp"
 #include "gui/library/library_use.hpp"
+#include "kinematics/pose_task.hpp"
 #include "session/library/library.hpp"
 #include "storage/access/open_store.hpp"
+#include "storage/crypto/content_hash.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -58,9 +60,11 @@ TEST_F(OwnLibrary, StandsBesideTheDatabase) {
 }
 
 TEST_F(OwnLibrary, EveryShippedFileIsListedSoundAndUnderANameOfItsOwn) {
-  for (const auto kind : {LibraryKind::tasks, LibraryKind::scenes, LibraryKind::protocols}) {
+  for (const auto& [kind, fewest] :
+       {std::pair{LibraryKind::tasks, 8U}, std::pair{LibraryKind::scenes, 8U},
+        std::pair{LibraryKind::protocols, 8U}, std::pair{LibraryKind::postures, 2U}}) {
     const auto entries = files_.list(kind);
-    EXPECT_GE(entries.size(), 8U);
+    EXPECT_GE(entries.size(), fewest);
     for (const auto& entry : every(entries)) {
       EXPECT_TRUE(entry.sound) << entry.path;
       EXPECT_FALSE(entry.own);
@@ -109,7 +113,8 @@ TEST_F(OwnLibrary, ADuplicateDoesNotMeetTheDraftOfAFileThatIsGone) {
 }
 
 TEST_F(OwnLibrary, EveryShippedFileCanBeDuplicatedAndUsed) {
-  for (const auto kind : {LibraryKind::tasks, LibraryKind::scenes, LibraryKind::protocols})
+  for (const auto kind :
+       {LibraryKind::tasks, LibraryKind::scenes, LibraryKind::protocols, LibraryKind::postures})
     for (const auto& entry : every(files_.list(kind))) {
       const auto copy = files_.duplicate(entry, content_of(entry));
       ASSERT_TRUE(copy.ok()) << copy.error().message();
@@ -233,6 +238,52 @@ TEST(LibraryUse, ATaskOfAProtocolThatIsFollowedCountsAsUsed) {
   EXPECT_EQ(renamed.newest_version, 0);
 }
 
+TEST_F(OwnLibrary, APostureFileIsDuplicatedSavedAndItsUsedTextKept) {
+  const auto original = shipped(LibraryKind::postures, "screw.toml");
+  const auto entry = copy_of(LibraryKind::postures, "screw.toml");
+  EXPECT_TRUE(entry.sound);
+  EXPECT_EQ(entry.path, files_.own() + "/postures/screw_copy.toml");
+  EXPECT_FALSE(files_.save(original, content_of(original), content_of(entry), {}).ok());
+  const auto former = content_of(entry);
+  const auto text = replaced(former, "name = \"screw\"", "name = \"in\"");
+  EXPECT_FALSE(files_.save(entry, former, replaced(former, "[[posture]]", "[[pose]]"), {}).ok());
+  FileUse use;
+  use.used = true;
+  const auto saved = files_.save(entry, former, text, use);
+  ASSERT_TRUE(saved.ok()) << saved.error().message();
+  EXPECT_EQ(saved->kept, files_.own() + "/history/postures/screw_copy-1.toml");
+  EXPECT_EQ(read_text(saved->kept).value(), former);
+  EXPECT_EQ(content_of(entry), text);
+  EXPECT_EQ(content_of(original), content_of(shipped(LibraryKind::postures, "screw.toml")));
+}
+
+TEST_F(OwnLibrary, ANewFileHasANameAndAPlaceOfItsOwn) {
+  const auto text =
+      with_name(content_of(shipped(LibraryKind::postures, "screw.toml")), "Recorded postures");
+  const auto first = files_.add(LibraryKind::postures, "recorded", text);
+  ASSERT_TRUE(first.ok()) << first.error().message();
+  EXPECT_EQ(first->path, files_.own() + "/postures/recorded.toml");
+  EXPECT_EQ(content_of(*first), text);
+  const auto second = files_.add(LibraryKind::postures, "recorded", text);
+  ASSERT_TRUE(second.ok()) << second.error().message();
+  EXPECT_EQ(second->path, files_.own() + "/postures/recorded_2.toml");
+  EXPECT_EQ(second->name, "Recorded postures (2)");
+  EXPECT_EQ(name_in(content_of(*second)), second->name);
+  EXPECT_FALSE(files_.add(LibraryKind::postures, "recorded", "name = \"no file\"\n").ok());
+}
+
+TEST_F(OwnLibrary, ATaskThatNamesPosturesThatAreNotThereCannotBeUsed) {
+  const auto entry = copy_of(LibraryKind::tasks, "arm_screw.toml");
+  const auto text = content_of(entry);
+  const auto other = replaced(text, "\"screw\"", "\"mine\"");
+  const auto refused = files_.check(LibraryKind::tasks, other, entry.path);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().field, "postures");
+  const auto postures = content_of(shipped(LibraryKind::postures, "screw.toml"));
+  ASSERT_TRUE(files_.add(LibraryKind::postures, "mine", with_name(postures, "Mine")).ok());
+  EXPECT_TRUE(files_.check(LibraryKind::tasks, other, entry.path).ok());
+}
+
 TEST(LibraryUse, IsFoundInTheTextsOfStoredTrialsAndSessions) {
   TemporaryFolder folder;
   auto store = *storage::open_store(folder.path("clinic.db"), storage::OpenMode::create);
@@ -243,14 +294,15 @@ TEST(LibraryUse, IsFoundInTheTextsOfStoredTrialsAndSessions) {
   session.device_uri = "sim://healthy";
   session.protocol_text = "the protocol";
   const auto session_id = store->begin_session(session).value();
-  const auto add_trial = [&](int number, const std::string& text, int version) {
+  const auto add_trial = [&](int number, const std::string& text, int version,
+                             const std::string& scene = "the scene") {
     storage::TrialRecord trial;
     trial.session_id = session_id;
     trial.number = number;
     trial.task_name = "Sine";
     trial.task_version = version;
     trial.task_text = text;
-    trial.scene_text = "the scene";
+    trial.scene_text = scene;
     trial.groups = {{"force", {"t_s"}}};
     const auto id = store->begin_trial(trial);
     ASSERT_TRUE(id.ok()) << id.error().message();
@@ -276,6 +328,19 @@ TEST(LibraryUse, IsFoundInTheTextsOfStoredTrialsAndSessions) {
   EXPECT_FALSE(use(LibraryKind::scenes, "the scen", "").used);
   EXPECT_TRUE(use(LibraryKind::protocols, "the protocol", "").used);
   EXPECT_FALSE(use(LibraryKind::protocols, "another", "").used);
+  EXPECT_TRUE(use(LibraryKind::postures, "the scene", "").used) << "a reference that moves";
+  EXPECT_FALSE(use(LibraryKind::postures, "the postures", "").used);
+  PoseTask compiled;
+  compiled.name = "Turn";
+  compiled.frame = "object";
+  compiled.position_tolerance_m = compiled.angle_tolerance_rad = 0.1;
+  compiled.time_limit_s = 10.0;
+  compiled.references = {{"in", Pose{}}};
+  compiled.targets = {0};
+  compiled.postures_hash = storage::uuid_of("the postures");
+  add_trial(3, first, 1, pose_task_text(compiled));
+  EXPECT_TRUE(use(LibraryKind::postures, "the postures", "").used);
+  EXPECT_FALSE(use(LibraryKind::postures, "others", "").used);
 }
 
 }  // namespace

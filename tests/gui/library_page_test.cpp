@@ -56,7 +56,8 @@ TEST(LibraryPreview, OfAForceTaskIsItsTargetInTheUnitOfItsScale) {
 
 TEST(LibraryPreview, OfEveryShippedFileSaysSomething) {
   const LibraryFiles files(kShipped, kShipped + "/no/own");
-  for (const auto kind : {LibraryKind::tasks, LibraryKind::scenes, LibraryKind::protocols})
+  for (const auto kind :
+       {LibraryKind::tasks, LibraryKind::scenes, LibraryKind::protocols, LibraryKind::postures})
     for (const auto& entry : every(files.list(kind))) {
       const auto shown = preview_of(kind, files.read(entry).value(), entry.path, kShipped);
       EXPECT_EQ(shown.title.toStdString(), entry.name);

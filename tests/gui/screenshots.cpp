@@ -2,9 +2,11 @@
 // gui_screenshots FOLDER [LANGUAGE]: runs a session with the simulated patient and makes pictures
 // of both windows in their states. Needs a display with OpenGL (scripts/screenshots gives it Xvfb).
 #include <QDir>
+#include <QPainter>
 #include <QTabWidget>
 #include <cstdio>
 
+#include "gui/library_pages/posture_view.hpp"
 #include "gui/look/page_view.hpp"
 #include "gui/words/texts.hpp"
 #include "operator.hpp"
@@ -43,7 +45,15 @@ class Photographer {
 
   void take_therapist(const char* name) const {
     QTest::qWait(100);  // the page finds its sizes
-    save(windows_.therapist().grab().toImage(), name);
+    auto& window = windows_.therapist();
+    QImage image = window.grab().toImage();
+    auto& view = widget_called<PostureView>("posture_view", window);
+    if (view.isVisible() && view.solid() != nullptr) {
+      const auto& place = widget_called<QWidget>("posture_solid", window);
+      QPainter(&image).drawImage(QRect(place.mapTo(&window, QPoint()), place.size()),
+                                 view.solid()->grabFramebuffer());
+    }
+    save(image, name);
   }
   void take_patient(const char* name) const {
     QTest::qWait(60);
@@ -65,6 +75,18 @@ class Photographer {
   Windows& windows_;
   QString folder_;
 };
+
+/// The three-dimensional picture is a window of its own: it is put where it stands.
+void photograph_postures(const Operator& therapist, const Photographer& photographer) {
+  therapist.press("library_postures");
+  auto& list = therapist.find<QListWidget>("posture_list");
+  ASSERT_TRUE(wait_until([&] { return list.isVisible() && list.count() > 3; }));
+  therapist.press("library_duplicate");
+  ASSERT_TRUE(wait_until([&] { return therapist.find<QWidget>("posture_turn_x_on").isEnabled(); }));
+  list.setCurrentRow(7);
+  list.setFocus();
+  photographer.take_therapist("therapist_postures");
+}
 
 void photograph(const QString& output, const std::string& language) {
   TemporaryFolder folder;
@@ -209,11 +231,25 @@ void photograph(const QString& output, const std::string& language) {
     if (files.item(row)->text().trimmed() == "Grip force, trapezoid") files.setCurrentRow(row);
   QTest::qWait(800);
   photographer.take_therapist("therapist_library");
+  photograph_postures(therapist, photographer);
   windows.therapist().show_page(TherapistWindow::Page::settings);
   QTest::qWait(200);
   photographer.take_therapist("therapist_settings");
   windows.therapist().show_page(TherapistWindow::Page::session);
   therapist.disconnect();
+
+  // An arm, whose task the patient watches.
+  therapist.press("hand_right");
+  therapist.choose_device("sim://arm?patient=healthy&seed=7");
+  presenter.choices().choose_protocol(std::nullopt);
+  therapist.choose_task("pose_matching");
+  therapist.press("show_how");
+  ASSERT_TRUE(wait_until([&] {
+    const auto picture = presenter.patient_view().picture(0.3);
+    return picture.example && picture.target_shown;
+  }));
+  photographer.take_both("demonstration");
+  therapist.press("show_how");
 
   // A silent sensor: the trial waits and both screens say why.
   therapist.press("hand_right");

@@ -35,7 +35,7 @@ void in_every_task(const std::function<void(PatientFacts, const std::string&)>& 
   gui::test::application();
   for (const tasks::TaskSpec& spec :
        isograsp::test::every(isograsp::test::platform_tasks(kLibrary))) {
-    const auto shown = session::demonstrate(spec, {}, Hand::right, kLibrary).value();
+    const auto shown = session::demonstrate(spec, {}, kLibrary).value();
     const auto preview =
         std::make_shared<TargetPreview>(preview_target(*shown.task, shown.context));
     for (std::size_t k = 0; k < shown.frames.size(); k += kEvery) {

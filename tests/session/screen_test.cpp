@@ -49,7 +49,7 @@ TEST(Screen, HasNothingThatTheTaskHidesWhateverTaskOfTheLibraryIsDone) {
   test::AtLeast without_force(100);   // frames
   test::AtLeast without_target(100);  // that the task has
   for (const tasks::TaskSpec& spec : test::every(test::platform_tasks(kLibrary))) {
-    const auto shown = demonstrate(spec, {}, Hand::right, kLibrary).value();
+    const auto shown = demonstrate(spec, {}, kLibrary).value();
     for (const Snapshot& now : test::every(shown.frames)) {
       expect_hidden(now, spec.name);
       if (::testing::Test::HasFailure()) return;

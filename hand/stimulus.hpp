@@ -80,7 +80,7 @@ struct Stimulus {
   DigitTargets digit_targets;
   /// Own force of the digits that one is asked of, contact frames [N].
   std::array<Vec3, kFingerCount> digit_force_C{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-  bool object_shown = false;  ///< the object and what follows are on the screen
+  bool object_shown = false;                  ///< the object and what follows are on the screen
   std::optional<ShownObject> virtual_object;  ///< a hand is to grasp it; nothing: another object
   ObjectSight sight = ObjectSight::unknown;
   Pose X_WO;                   ///< of a real object that is out of sight: where it was seen last

@@ -167,6 +167,30 @@ TEST(HandReplay, JointsAreKeptOnlyWithConsentToResearch) {
   EXPECT_TRUE(keeps_joints(agreed));
 }
 
+TEST(HandInSoftware, PassesItsEntryTestAndIsScoredAsItsSignalsAre) {
+  const TemporaryFolder folder;
+  SessionConfig config;
+  config.database = folder.path("clinic.db");
+  config.create_database = true;
+  config.patient_code = "P-1";
+  config.device_uri = "sim://hand?user=healthy&seed=3";
+  config.library = kLibrary;
+  config.virtual_time = true;
+  const auto protocol = must(read_protocol(
+      "format = \"isograsp-protocol-1\"\nname = \"First\"\n[[step]]\nkind = \"hand_entry\"\n"
+      "[[step]]\nkind = \"task\"\ntask = \"virtual_place_first.toml\"\npractice = true\n",
+      kLibrary + "/protocols/first.toml", kLibrary));
+  const auto session = must(Session::open(config));
+  const auto result = must(run_protocol(*session, protocol, {}));
+  session->close();
+  ASSERT_EQ(result.trials.size(), 1u)
+      << (result.left_out.empty() ? std::string() : english(result.left_out.front()));
+  const auto [trial, signals] = stored_trial(config.database);
+  const auto spec = must(tasks::parse_task(trial.task_text, "stored"));
+  EXPECT_EQ(tasks::score(spec, signals), result.trials.front().measures);
+  EXPECT_EQ(result.trials.front().measures.front().channel, "full");
+}
+
 TEST(HandReplay, ARecordingOfARealHandGoesTheWholeWay) {
   const std::string recording = test::recorded_data() + "/hand/leap_grab.csv";
   if (!std::filesystem::exists(recording)) GTEST_SKIP() << "the recordings are not there";

@@ -140,7 +140,8 @@ TEST(TrackedHand, AHandThatOpensPassesItsEntryTestAndIsMeasured) {
     // The size of a hand that shows its joints without an error is its own.
     const auto measured = must(hand_of_size(outcome.record, test::usual_hand(), side));
     constexpr double kOfPictures_m = 1e-6;
-    const auto& middle = test::usual_hand().digit(Digit::middle);
+    const virtual_hand::HandModel usual = test::usual_hand();
+    const auto& middle = usual.digit(Digit::middle);
     EXPECT_WITHIN(
         measured.length_m,
         middle.base_m.norm() + middle.lengths_m[0] + middle.lengths_m[1] + middle.lengths_m[2],

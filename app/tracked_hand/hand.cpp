@@ -131,6 +131,8 @@ void add_hand(CommandLine& line) {
   add_hand_world(hand);
   add_hand_live(hand);
   add_hand_study(hand);
+  add_hand_simulate(hand);
+  add_hand_simulated_study(hand);
   hand.footer("Example:\n  isograsp hand calibrate --stream open.csv --side right --out hand.toml");
 }
 

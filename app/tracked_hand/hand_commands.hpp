@@ -31,6 +31,10 @@ void add_hand_world(Subcommand hand);
 void add_hand_live(Subcommand hand);
 /// plan (app/tracked_hand/hand_study.cpp).
 void add_hand_study(Subcommand hand);
+/// study (app/tracked_hand/hand_simulated_study.cpp).
+void add_hand_simulated_study(Subcommand hand);
+/// simulate, thresholds (app/tracked_hand/hand_simulate.cpp).
+void add_hand_simulate(Subcommand hand);
 
 /// The hand of a file (isograsp-hand-1).
 [[nodiscard]] Result<virtual_hand::HandModel> load_hand(const std::string& path);

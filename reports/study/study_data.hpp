@@ -37,6 +37,8 @@ struct StudyData {
   std::string unit;
   int measure_version = 1;
   std::vector<StudyGroupData> groups;
+  /// How the values came about where they are not from sessions of a clinic; empty: they are.
+  std::vector<Text> design;
   std::vector<Text> left_out;  ///< trials that do not count, how many and why
   /// What was computed again of these people, of all measures (renewed.hpp); empty: nothing.
   Text renewed;

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reports/study/study_plot.hpp"
 
+#include <QBuffer>
+#include <QImage>
 #include <algorithm>
 
 #include "reports/paper/plot_tools.hpp"
+#include "reports/paper/plotting.hpp"
+#include "reports/study/study_writer.hpp"
 #include "statistics/box_plot.hpp"
 
 namespace isograsp::reports {
@@ -92,6 +96,24 @@ PlotView study_plot(const StudyPlot& plot, QSizeF size, double unit) {
                   box->upper_whisker);
   }
   return view;
+}
+
+std::string study_png(const StudyPlot& plot) {
+  constexpr double kWide_pt = 425.0;  // 150 mm
+  constexpr double kHigh_pt = 200.0;
+  constexpr double kDots = 300.0 / 72.0;
+  QImage image(QSize(static_cast<int>(kWide_pt * kDots), static_cast<int>(kHigh_pt * kDots)),
+               QImage::Format_RGB32);
+  image.fill(Qt::white);
+  QCPPainter painter(&image);
+  PlotView view = study_plot(plot, {kWide_pt, kHigh_pt}, kDots);
+  view.paint(painter);
+  painter.end();
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  image.save(&buffer, "PNG");
+  return bytes.toStdString();
 }
 
 }  // namespace isograsp::reports

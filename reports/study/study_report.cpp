@@ -67,6 +67,11 @@ class Composer {
   void design() {
     heading("Design"_text, true);
     const auto words = tasks::words_of(study_.measure, common_channel());
+    if (!data_.design.empty()) {
+      paragraph("%1 (%2)."_text(titled(), better_words(words.better)));
+      for (const Text& sentence : data_.design) paragraph(sentence);
+      return;
+    }
     paragraph(
         "%1 (%2). Each value of a person is the mean over the chosen sessions of the means "
         "of their trials; practice, helped and incomplete trials do not count."_text(

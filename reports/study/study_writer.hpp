@@ -11,5 +11,7 @@ namespace isograsp::reports {
 /// Both need a QApplication (ensure_qt_application()); main thread.
 [[nodiscard]] std::string study_html(const StudyReport& report);
 [[nodiscard]] std::string study_pdf(const StudyReport& report);
+/// One of its plots as a picture (PNG), 150 mm wide at 300 dots an inch.
+[[nodiscard]] std::string study_png(const StudyPlot& plot);
 
 }  // namespace isograsp::reports

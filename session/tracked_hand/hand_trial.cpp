@@ -17,14 +17,14 @@ double as_value(Number value) {
 }
 
 template <class Sink>
-void put_axes(Sink& sink, const columns::OfAxes& axes, const Vec3& p) {
+void put_place(Sink& sink, const columns::OfAxes& axes, const Vec3& p) {
   for (std::size_t a = 0; a < 3; ++a) sink.put(axes[a], p[static_cast<Eigen::Index>(a)]);
 }
 
 template <class Sink>
 void put_whole_pose(Sink& sink, const columns::OfAxes& axes,
                     const columns::OfComponents& components, const Pose& X) {
-  put_axes(sink, axes, X.p);
+  put_place(sink, axes, X.p);
   const std::array<double, 4> value{X.q.w(), X.q.x(), X.q.y(), X.q.z()};
   for (std::size_t i = 0; i < 4; ++i) sink.put(components[i], value[i]);
 }
@@ -70,7 +70,7 @@ template <class Sink>
 void put_joints(Sink& sink, const HandSnapshot& seen) {
   sink.begin("joints");
   for (std::size_t j = 0; j < kHandJointCount; ++j)
-    put_axes(sink, columns::hand_joint[j], seen.hand.frame.joints[j]);
+    put_place(sink, columns::hand_joint[j], seen.hand.frame.joints[j]);
 }
 
 template <class Sink>

@@ -238,19 +238,6 @@ void photograph(const QString& output, const std::string& language) {
   windows.therapist().show_page(TherapistWindow::Page::session);
   therapist.disconnect();
 
-  // An arm, whose task the patient watches.
-  therapist.press("hand_right");
-  therapist.choose_device("sim://arm?patient=healthy&seed=7");
-  presenter.choices().choose_protocol(std::nullopt);
-  therapist.choose_task("pose_matching");
-  therapist.press("show_how");
-  ASSERT_TRUE(wait_until([&] {
-    const auto picture = presenter.patient_view().picture(0.3);
-    return picture.example && picture.target_shown;
-  }));
-  photographer.take_both("demonstration");
-  therapist.press("show_how");
-
   // A silent sensor: the trial waits and both screens say why.
   therapist.press("hand_right");
   therapist.press("screening_clear");
@@ -263,6 +250,20 @@ void photograph(const QString& output, const std::string& language) {
   photographer.take_both("fault");
   presenter.connecting().end_session();
   ASSERT_TRUE(wait_until([&] { return !presenter.state().busy(); }));
+
+  // An arm, whose task the patient watches.
+  therapist.press("hand_right");
+  therapist.choose_device("sim://arm?patient=healthy&seed=7");
+  presenter.choices().choose_protocol(std::nullopt);
+  therapist.choose_task("pose_matching");
+  therapist.press("show_how");
+  ASSERT_TRUE(wait_until([&] {
+    const auto picture = presenter.patient_view().picture(0.3);
+    return picture.example && picture.target_shown;
+  }));
+  photographer.take_both("demonstration");
+  therapist.press("show_how");
+  therapist.choose_device(kHealthy);
 
   // Every page with letters of twice the size.
   Settings settings;

@@ -44,7 +44,7 @@ class TherapistWindowTest : public QtTest {
 TEST_F(TherapistWindowTest, EveryFocusableWidgetHasANameATooltipAndAKey) {
   const auto shortcuts = windows_.therapist().findChildren<QShortcut*>();
   const QRegularExpression kKey(
-      R"(Alt\+|Ctrl\+|\bF\d|Escape|Enter|[Aa]rrow|Tab|[Ss]pace|Home|Delete|keys)");
+      R"(Alt\+|Ctrl\+|Shift\+|\([A-Z]\)|\bF\d|Escape|Enter|[Aa]rrow|Tab|[Ss]pace|Home|Delete|keys)");
   int seen = 0;
   for (auto* widget : every(windows_.therapist().findChildren<QWidget*>())) {
     if (widget->focusPolicy() == Qt::NoFocus) continue;

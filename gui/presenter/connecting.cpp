@@ -127,11 +127,11 @@ void Connecting::begin(std::unique_ptr<session::Session> session, const Presenta
 /// The hand has worked before the session was interrupted.
 void Connecting::take_earlier_work() {
   OpenSession& open = *state_.open;
-  for (const auto& [trial, measures, ended_s] : open.session->known().earlier.trials) {
+  for (const session::EarlierTrial& earlier : open.session->known().earlier.trials) {
+    const storage::TrialRecord& trial = earlier.record;
     const auto spec = tasks::parse_task(trial.task_text, trial.task_name);
-    if (spec && !is_rest(*spec))
-      open.limits.worked(static_cast<double>(trial.samples) / open.session->known().record.rate_Hz);
-    if (!trial.practice && !trial.helped) open.limits.tried(measures);
+    if (spec && !is_rest(*spec)) open.limits.worked(earlier.lasted_s);
+    if (!trial.practice && !trial.helped) open.limits.tried(earlier.measures);
   }
 }
 

@@ -99,7 +99,7 @@ std::vector<storage::SessionAnswer> stored(const ArmScreening& screening) {
     answers.push_back({kTopic, name_of(question), screening.is(question) ? "yes" : "no"});
   answers.push_back({kTopic, "pain", std::to_string(*screening.pain)});
   constexpr double kDegree_rad = std::numbers::pi / 180.0;
-  std::vector<session::PassiveLimit> limits;
+  std::vector<PassiveLimit> limits;
   for (std::size_t j = 0; j < kPassiveJointCount; ++j)
     if (const auto& range = screening.passive[j])
       limits.push_back(

@@ -36,7 +36,8 @@ std::vector<std::string> follow(ProtocolGuide& guide) {
     now_s += guide.wait_s(now_s) + 1.0;
     switch (act->kind) {
       case Kind::instrument_zero:
-      case Kind::start_posture: guide.zeroed(now_s); break;
+      case Kind::start_posture:
+      case Kind::hand_entry: guide.zeroed(now_s); break;
       case Kind::pause: guide.tick(now_s + act->duration_s); break;
       case Kind::trial: guide.trial_ended(outcome_of(*act), now_s); break;
     }

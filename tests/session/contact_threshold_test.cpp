@@ -54,7 +54,9 @@ TEST(ContactThreshold, EachFingerHasItsOwnByTheNoiseOfItsNormalForce) {
 
 TEST(ContactThreshold, WithoutNoiseOrMaximumTheSceneDecides) {
   Scene scene;
-  scene.contacts = {{Finger::index}, {Finger::thumb}};
+  scene.contacts.resize(2);
+  scene.contacts[0].finger = Finger::index;
+  scene.contacts[1].finger = Finger::thumb;
   scene.contacts[0].threshold_N = 0.3;
   scene.contacts[1].threshold_N = 0.7;
   auto without_noise = measured({}, 20.0);

@@ -32,6 +32,7 @@ void add_simulate(CommandLine& line);
 void add_study(CommandLine& line);
 void add_target(CommandLine& line);
 void add_patch(CommandLine& line);
+void add_pad_bench(CommandLine& line);
 
 /// The demonstration clinic of simulated people, in a file of its own that replaces an older
 /// one; its path (app/demo.cpp).

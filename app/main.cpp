@@ -4,7 +4,6 @@
 
 #include <sys/stat.h>
 
-#include "app/bimanual/bimanual_commands.hpp"
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/console.hpp"

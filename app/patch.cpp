@@ -14,6 +14,7 @@
 #include "grasp_model/patch/pressed_patch.hpp"
 #include "grasp_model/patch/solid_surface.hpp"
 #include "grasp_model/scene.hpp"
+#include "hand/columns.hpp"
 
 namespace isograsp::app {
 
@@ -174,11 +175,11 @@ Result<void> show_patch(const PatchQuestion& question, bool json) {
 
 /// The rows of a table with these columns.
 Result<std::vector<std::vector<double>>> rows_of(const std::string& path,
-                                                 std::initializer_list<const char*> columns) {
+                                                 std::initializer_list<std::string_view> names) {
   auto table = WordTable::open(path);
   if (!table) return table.error();
   std::vector<std::size_t> places;
-  for (const char* column : columns) {
+  for (const std::string_view column : names) {
     const auto place = table->require(column);
     if (!place) return place.error();
     places.push_back(*place);
@@ -206,7 +207,9 @@ Result<void> show_points(const PatchOptions& options) {
   if (!patch) return Error(patch.error()).at(options.points);
   auto twists = PatchJson::array();
   if (!options.twists.empty()) {
-    const auto slips = rows_of(options.twists, {"vx_mps", "vy_mps", "wz_radps"});
+    const auto slips =
+        rows_of(options.twists, {columns::object_velocity[0], columns::object_velocity[1],
+                                 columns::object_angular_velocity[2]});
     if (!slips) return slips.error();
     for (const auto& slip : *slips) {
       const SlipFriction friction =

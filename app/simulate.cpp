@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "app/bimanual/bimanual_commands.hpp"
 #include "app/commands.hpp"
 #include "app/console.hpp"
+#include "app/hands_simulation.hpp"
 #include "bimanual/read_hands.hpp"
 #include "core/csv.hpp"
 #include "grasp_model/plan.hpp"

@@ -8,15 +8,10 @@
 #include <numbers>
 #include <optional>
 
+#include "bimanual/pads/side.hpp"
 #include "core/spatial.hpp"
 
 namespace isograsp::bimanual {
-
-enum class Side : std::uint8_t { left, right };
-inline constexpr std::size_t kSides = 2;
-[[nodiscard]] constexpr std::size_t index_of(Side side) noexcept {
-  return static_cast<std::size_t>(side);
-}
 
 /// How far a hand reaches without moving its bubble, and beyond what force it moves.
 enum class BubbleShape : std::uint8_t { ellipsoid, box, superellipsoid };

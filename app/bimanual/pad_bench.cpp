@@ -7,7 +7,7 @@
 #include <Eigen/LU>
 #include <nlohmann/json.hpp>
 
-#include "app/bimanual/bimanual_commands.hpp"
+#include "app/commands.hpp"
 #include "app/console.hpp"
 #include "bimanual/pads/pad_step.hpp"
 #include "core/files.hpp"

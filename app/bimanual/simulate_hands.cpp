@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "app/bimanual/bimanual_commands.hpp"
 #include "app/console.hpp"
+#include "app/hands_simulation.hpp"
 #include "bimanual/carried_object.hpp"
 #include "bimanual/read_hands.hpp"
 #include "bimanual/two_hands.hpp"

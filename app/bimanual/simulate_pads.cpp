@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "app/bimanual/bimanual_commands.hpp"
 #include "app/console.hpp"
+#include "app/hands_simulation.hpp"
 #include "bimanual/pads/held_by_pads.hpp"
 #include "bimanual/read_hands.hpp"
 #include "core/csv.hpp"
@@ -104,8 +104,8 @@ std::string pads_header(const std::vector<bimanual::PadSpec>& pads) {
   std::string head = "t_s,x_m,y_m,z_m,qw,qx,qy,qz";
   for (const bimanual::PadSpec& pad : pads) {
     const std::string name = pad.hand == bimanual::Side::left ? "left_pad_" : "right_pad_";
-    for (const char* part : {"fx_N", "fy_N", "fz_N", "tx_Nm", "ty_Nm", "tz_Nm"})
-      head += "," + name + part;
+    for (const char axis : {'x', 'y', 'z'}) head += "," + name + "f" + axis + "_N";
+    for (const char axis : {'x', 'y', 'z'}) head += "," + name + "t" + axis + "_Nm";
   }
   return head + "\n";
 }

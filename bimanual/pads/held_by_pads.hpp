@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "bimanual/hands_spec.hpp"
 #include "bimanual/pads/pad_step.hpp"
+#include "bimanual/pads/side.hpp"
 #include "grasp_model/scene.hpp"
 
 namespace isograsp::bimanual {

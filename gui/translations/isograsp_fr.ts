@@ -4178,7 +4178,7 @@ Reconnexions&#xa0;: %6</translation>
     </message>
     <message>
         <source> %</source>
-        <translation>&#xa0;%</translation>
+        <translation> %</translation>
     </message>
     <message>
         <source>Part of the way from the initial posture, in per cent</source>

@@ -53,7 +53,8 @@ inline std::string make_arm_library(const TemporaryFolder& folder) {
   write("tasks/arm_screw.toml",
         "format = \"isograsp-task-1\"\nname = \"Turn an object in and out\"\n"
         "instruction = \"Bring your object onto the other one. Stay there.\"\nversion = 1\n"
-        "kind = \"pose_matching\"\npostures = \"screw\"\nsequence = [\"screw\", \"initial\"]\n"
+        "kind = \"pose_matching\"\npostures = \"screw\"\nway_percent = 50\nsequence = [\"screw\", "
+        "\"initial\"]\n"
         "position_tolerance_m = 0.015\nangle_tolerance_deg = 10\nhold_s = 0.3\n"
         "display_s = 0.6\ntime_limit_s = 15\n");
   for (const char* task : {"arm_range_flexion.toml", "arm_range_deviation.toml"})

@@ -12,7 +12,6 @@
 #include "device/config/uri.hpp"
 #include "hand/finger.hpp"
 #include "session/acquisition/apparatus.hpp"
-#include "storage/records/profile.hpp"
 
 namespace isograsp::session {
 
@@ -21,8 +20,6 @@ struct ApparatusRequest {
   Hand hand = Hand::right;
   std::string library;                    ///< folder with scenes/, tasks/ and patients/
   std::optional<double> display_delay_s;  ///< of the patient's screen; nothing: not measured
-  /// What was asked before the session; live as long as the request.
-  std::span<const storage::SessionAnswer> answers = {};
 };
 
 /// One row of the table: the first that fits a URI opens it.

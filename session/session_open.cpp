@@ -150,9 +150,8 @@ Result<void> Session::Opening::check_request() {
 }
 
 Result<void> Session::Opening::open_device() {
-  auto opened =
-      open_apparatus({uri, config.hand, config.library, config.display_delay_s, config.answers},
-                     config.apparatuses);
+  auto opened = open_apparatus({uri, config.hand, config.library, config.display_delay_s},
+                               config.apparatuses);
   if (!opened) return opened.error();
   parts.apparatus = *std::move(opened);
   parts.platform = dynamic_cast<ForcePlatform*>(parts.apparatus.get());

@@ -149,6 +149,33 @@ TEST(PadStep, ForcesStayInTheConeAndTakeNoEnergyFromNothing) {
   }
 }
 
+TEST(PadStep, TheVelocityOfTheObjectIsWhatTheForcesMadeAlsoWhereAPadLetsGo) {
+  Random random(7, 5);
+  int let_go = 0;
+  for (int k = 0; k < 200; ++k) {
+    PadStep step = squeezed(3, 0.3 * random.uniform(), 20 * random.uniform(), random.uniform());
+    // One pad is pulled off, or comes only because the other one pushes.
+    step.velocity_free[2][0] = 2.0 * random.uniform() - 0.5;
+    step.velocity_free[0][0] = random.uniform() - 0.5;
+    for (PadPoint& point : step.faces[1].points)
+      point.penetration_free_m = 2e-3 * random.uniform() - 1.2e-3;
+    for (const PadSolver solver :
+         {PadSolver::pointwise, PadSolver::aggregate, PadSolver::aggregate_exact}) {
+      const PadSolution solution = solve(step, solver);
+      Vec6 sum = Vec6::Zero();
+      for (const Vec6& wrench : test::every(solution.wrench_on_object)) sum += wrench;
+      const Vec6 made =
+          step.inertia[0] * (solution.velocity[0] - step.velocity_free[0]) / step.step_s;
+      EXPECT_WITHIN((made - sum).norm(), 0.0, 1e-9 * (1.0 + sum.norm())) << k;
+      let_go += solution.wrench_on_object[1].isZero() ? 1 : 0;
+      // The next step begins with these forces and ends where it would have without.
+      const PadSolution again = solve(step, solver, &solution);
+      EXPECT_WITHIN((again.velocity[0] - solution.velocity[0]).norm(), 0.0, 1e-7) << k;
+    }
+  }
+  EXPECT_GT(let_go, 0);
+}
+
 TEST(PadStep, NothingActsWhereNothingTouches) {
   PadStep step = squeezed(3, 0.1, 1.0, 0.8);
   for (PadFace& face : step.faces)

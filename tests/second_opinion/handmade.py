@@ -188,7 +188,7 @@ def unseen_end():
                      "hold_s = 0\ndisplay_s = 0\ntime_limit_s = 1\n")
 
 
-def lose(columns, chance, share):
+def lose_sight(columns, chance, share):
     """Rows in which a tracker holds the hand, or does not see it."""
     n, row = len(columns["t_s"]), 0
     while row < n:
@@ -209,7 +209,7 @@ def hand_opening(chance):
     for digit in ("thumb", "index", "middle", "ring", "little"):
         for k in (1, 2, 3):
             columns[f"{digit}_flexion{k}_rad"] = 1.5 - 10 * gap + noise(chance, len(t), 0.02)
-    lose(columns, chance, 0.01)
+    lose_sight(columns, chance, 0.01)
     return columns, ('format = "isograsp-task-1"\nname = "Opening"\ninstruction = "None."\nkind = "hand_opening"\n'
                      "lead_in_s = 0.5\nrepetitions = 3\nopen_s = 2\nclose_s = 1.7\n")
 
@@ -243,7 +243,7 @@ def placements(chance):
     values = np.array(rows, float)
     columns = {"t_s": np.arange(len(values)) / 100, "sample_flags": np.zeros(len(values)),
                "pause_cause": np.zeros(len(values))} | {name: values[:, k].copy() for k, name in enumerate(names)}
-    lose(columns, chance, chance.choice((0.002, 0.01)))
+    lose_sight(columns, chance, chance.choice((0.002, 0.01)))
     for _ in range(3):  # pauses, out of sight or of the therapist
         first = chance.randrange(len(values))
         span = slice(first, first + chance.choice((20, 150)))

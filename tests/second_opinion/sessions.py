@@ -9,8 +9,8 @@ open_close steady_grip grip_steps let_go let_go_short open_on_cue force_sense fa
 two_target two_target_long two_target_soft two_target_rate two_target_mirrored two_target_training target_series
 knob_turn knob_turn_rate elastic_block lift_weight pose_tracking_x pose_tracking_planar pose_steps pick_place
 free_handling""".split()
-ARM = """arm_familiarisation arm_follow arm_follow_half arm_range_deviation arm_range_flexion arm_range_forearm arm_own_range arm_screw arm_screw_half
-arm_wrist""".split()
+ARM = """arm_familiarisation arm_follow arm_follow_half arm_follow_three_quarters arm_range_deviation arm_range_flexion arm_range_forearm arm_own_range arm_screw arm_screw_half
+arm_screw_three_quarters arm_wrist""".split()
 HAND = ["hand_opening", "virtual_place_first"]
 NOT_RUN = {"virtual_place": "its placements are long; virtual_pick_place is compared in five other tasks",
            "virtual_place_training": "likewise",

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/column.hpp"
+#include "core/spatial.hpp"
 #include "storage/records/session_store.hpp"
 #include "tasks/task_progress.hpp"
 
@@ -67,6 +68,21 @@ struct RowFrame {
   double lateness_s = 0.0;
   double compute_s = 0.0;  ///< of the frame before this one: its own is not over yet
 };
+
+/// A place, x y z.
+template <class Sink>
+void put_position(Sink& sink, const std::array<Column, 3>& axes, const Vec3& p) {
+  for (std::size_t a = 0; a < 3; ++a) sink.put(axes[a], p[static_cast<Eigen::Index>(a)]);
+}
+
+/// A place and an attitude, quaternion w x y z.
+template <class Sink>
+void put_pose(Sink& sink, const std::array<Column, 3>& axes,
+              const std::array<Column, 4>& components, const Pose& X) {
+  put_position(sink, axes, X.p);
+  const std::array<double, 4> value{X.q.w(), X.q.x(), X.q.y(), X.q.z()};
+  for (std::size_t i = 0; i < 4; ++i) sink.put(components[i], value[i]);
+}
 
 /// The group "task" begins with it; what the apparatus knows of the task follows.
 template <class Sink>

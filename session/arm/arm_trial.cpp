@@ -12,19 +12,6 @@ double as_number(Number value) {
   return static_cast<double>(value);
 }
 
-template <class Sink>
-void put_place(Sink& sink, const columns::OfAxes& axes, const Vec3& p) {
-  for (std::size_t a = 0; a < 3; ++a) sink.put(axes[a], p[static_cast<Eigen::Index>(a)]);
-}
-
-template <class Sink>
-void put_pose(Sink& sink, const columns::OfAxes& axes, const columns::OfComponents& components,
-              const Pose& X) {
-  put_place(sink, axes, X.p);
-  const std::array<double, 4> value{X.q.w(), X.q.x(), X.q.y(), X.q.z()};
-  for (std::size_t i = 0; i < 4; ++i) sink.put(components[i], value[i]);
-}
-
 /// Held: the last pose of the object stands in for a moment; missing: nothing does. A rig without
 /// an object has no flags.
 std::uint8_t flags_of(const ArmSnapshot& seen, const ArmTrial& trial) noexcept {
@@ -62,7 +49,7 @@ void put_seen(Sink& sink, const ArmSnapshot& seen, const ArmTrial& trial) {
       sink.put(columns::link_angle[link][a], seen.link_angles[link][static_cast<Eigen::Index>(a)]);
   sink.begin("markers");
   for (std::size_t m = 0; m < trial.markers.size(); ++m)
-    put_place(sink, trial.markers[m], seen.markers_W[m]);
+    put_position(sink, trial.markers[m], seen.markers_W[m]);
 }
 
 template <class Sink>

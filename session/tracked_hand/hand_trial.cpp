@@ -17,19 +17,6 @@ double as_value(Number value) {
 }
 
 template <class Sink>
-void put_place(Sink& sink, const columns::OfAxes& axes, const Vec3& p) {
-  for (std::size_t a = 0; a < 3; ++a) sink.put(axes[a], p[static_cast<Eigen::Index>(a)]);
-}
-
-template <class Sink>
-void put_whole_pose(Sink& sink, const columns::OfAxes& axes,
-                    const columns::OfComponents& components, const Pose& X) {
-  put_place(sink, axes, X.p);
-  const std::array<double, 4> value{X.q.w(), X.q.x(), X.q.y(), X.q.z()};
-  for (std::size_t i = 0; i < 4; ++i) sink.put(components[i], value[i]);
-}
-
-template <class Sink>
 void put_hand_task(Sink& sink, const RowFrame& frame, const HandSnapshot& seen, bool object) {
   put_progress(sink, frame);
   sink.put(columns::sample_flags, as_value(hand_flags(seen.hand)));
@@ -53,8 +40,8 @@ void put_hand(Sink& sink, const HandSnapshot& seen) {
   sink.begin("hand");
   sink.put(columns::confidence, seen.hand.known ? seen.hand.frame.confidence : 0.0);
   sink.put(columns::unseen_s, seen.hand.unseen_s);
-  put_whole_pose(sink, columns::palm_position, columns::palm_attitude,
-                 seen.pose ? seen.pose->pose.X_WP : missing_pose());
+  put_pose(sink, columns::palm_position, columns::palm_attitude,
+           seen.pose ? seen.pose->pose.X_WP : missing_pose());
   sink.put(columns::thumb_index_gap_m, seen.thumb_index_gap_m);
   for (std::size_t d = 0; d < kDigitCount; ++d) {
     const auto angle = [&](std::size_t k) {
@@ -70,7 +57,7 @@ template <class Sink>
 void put_joints(Sink& sink, const HandSnapshot& seen) {
   sink.begin("joints");
   for (std::size_t j = 0; j < kHandJointCount; ++j)
-    put_place(sink, columns::hand_joint[j], seen.hand.frame.joints[j]);
+    put_position(sink, columns::hand_joint[j], seen.hand.frame.joints[j]);
 }
 
 template <class Sink>
@@ -78,11 +65,11 @@ void put_virtual_object(Sink& sink, const HandSnapshot& seen) {
   const hand_world::GraspState& grasp = seen.grasp;
   sink.begin("object");
   const Pose missing = missing_pose();
-  put_whole_pose(sink, columns::actual_position, columns::actual_attitude,
-                 grasp.object_there ? grasp.object.X_WO : missing);
+  put_pose(sink, columns::actual_position, columns::actual_attitude,
+           grasp.object_there ? grasp.object.X_WO : missing);
   const tasks::HandView& task = seen.special.hand();
-  put_whole_pose(sink, columns::target_position, columns::target_attitude,
-                 task.target_shown ? task.X_WT : missing);
+  put_pose(sink, columns::target_position, columns::target_attitude,
+           task.target_shown ? task.X_WT : missing);
   sink.put(columns::object_held, as_value(grasp.held));
   sink.put(columns::object_touched, as_value(touches(grasp)));
   sink.put(columns::object_supported, as_value(grasp.supported));
@@ -114,8 +101,8 @@ void put_grasp(Sink& sink, const HandSnapshot& seen, double release_N) {
   sink.put(columns::solver_sweeps, as_value(grasp.solver.sweeps));
   sink.put(columns::solver_residual_mps, grasp.solver.residual_m_s);
   sink.begin("virtual_hand");
-  put_whole_pose(sink, columns::virtual_palm_position, columns::virtual_palm_attitude,
-                 grasp.hand_there ? grasp.hand.X_WP : missing_pose());
+  put_pose(sink, columns::virtual_palm_position, columns::virtual_palm_attitude,
+           grasp.hand_there ? grasp.hand.X_WP : missing_pose());
   for (std::size_t d = 0; d < kDigitCount; ++d)
     for (std::size_t k = 0; k < virtual_hand::kAngleCount; ++k)
       sink.put(columns::virtual_angle[d][k], grasp.hand_there ? grasp.hand.angles[d][k] : kUnknown);

@@ -36,13 +36,13 @@ constexpr Timestamp kHandLook = std::chrono::milliseconds(20);
 Result<void> run_hand_record(const HandLiveOptions& options) {
   const auto uri = Uri::parse(options.stream);
   if (!uri) return uri.error();
+  SteadyClock clock;  // outlives the device, whose thread reads it
   auto device = open_hand_device(*uri, options.side);
   if (!device) return device.error();
   if (uri->scheme == "replay")
     if (auto different = check_different(uri->target, options.out); !different) return different;
   auto out = HandCsvWriter::create(options.out);
   if (!out) return out.error();
-  SteadyClock clock;
   if (auto started = (*device)->start(clock); !started) return started;
   watch_for_interrupt();
   const Timestamp begin = (*device)->now(clock);

@@ -38,8 +38,8 @@ std::string why_not_opened(const std::string& uri) {
 
 TEST(LeapWire, TheVersionOfTheServiceIsTold) {
   const auto tracker = leap_tracker(hand_play(200, 100.0));
-  const auto device = open_hands("leap://" + tracker->address().text() + "?delay_ms=35");
   SteadyClock clock;
+  const auto device = open_hands("leap://" + tracker->address().text() + "?delay_ms=35");
   must(device->start(clock));
   EXPECT_EQ(device->info().service, "emulated");
   EXPECT_EQ(device->info().delay_s, 0.035);
@@ -49,8 +49,8 @@ TEST(LeapWire, TheVersionOfTheServiceIsTold) {
 
 TEST(LeapWire, AConnectionThatWasClosedIsMadeAnew) {
   const auto tracker = leap_tracker(hand_play(300, 100.0), {"close@500ms"});
-  const auto device = open_hands("leap://" + tracker->address().text());
   SteadyClock clock;
+  const auto device = open_hands("leap://" + tracker->address().text());
   must(device->start(clock));
   bool lost = false;
   double last_s = -1.0;
@@ -70,8 +70,8 @@ TEST(LeapWire, AConnectionThatWasClosedIsMadeAnew) {
 TEST(LeapWire, AServiceThatStartsAgainIsFoundAndItsClockBelieved) {
   auto tracker = leap_tracker(hand_play(60, 100.0));
   const std::uint16_t port = tracker->address().port;
-  const auto device = open_hands("leap://127.0.0.1:" + std::to_string(port));
   SteadyClock clock;
+  const auto device = open_hands("leap://127.0.0.1:" + std::to_string(port));
   must(device->start(clock));
   ASSERT_TRUE(read_until(*device, clock, [&](ReadStatus, HandSample&) {
     return device->health().fault == HandFault::connection_lost;
@@ -130,8 +130,8 @@ TEST(LeapWire, WhatAnswersAndIsNoServiceIsNamed) {
     const std::string page = "HTTP/1.1 404 Not Found\r\nContent-Length: 0\r\n\r\n";
     EXPECT_GT(::send(socket, page.data(), page.size(), MSG_NOSIGNAL), 0);
   });
-  const auto device = open_hands(peer.uri());
   SteadyClock clock;
+  const auto device = open_hands(peer.uri());
   const auto begun = device->start(clock);
   ASSERT_FALSE(begun);
   EXPECT_NE(begun.error().message().find("not the Leap service"), std::string::npos)
@@ -140,8 +140,8 @@ TEST(LeapWire, WhatAnswersAndIsNoServiceIsNamed) {
 }
 
 TEST(LeapWire, NobodyIsToldAtOnce) {
-  const auto device = open_hands("leap://127.0.0.1:" + std::to_string(free_udp_port()));
   SteadyClock clock;
+  const auto device = open_hands("leap://127.0.0.1:" + std::to_string(free_udp_port()));
   const Timestamp begin = clock.now();
   const auto begun = device->start(clock);
   ASSERT_FALSE(begun);
@@ -172,8 +172,8 @@ TEST(LeapWire, UrisThatAreWrongNameTheRemedy) {
 TEST(UdpHandWire, ASecondSenderIsCountedAndNotHeard) {
   const std::uint16_t port = free_udp_port();
   const auto script = hand_script(hand_play(300, 100.0), port);
-  const auto device = open_hands("udp-hand://127.0.0.1:" + std::to_string(port));
   SteadyClock clock;
+  const auto device = open_hands("udp-hand://127.0.0.1:" + std::to_string(port));
   must(device->start(clock));
   UdpPort other;
   must(other.open({kHandComputer, 0}, false));
@@ -192,8 +192,8 @@ TEST(UdpHandWire, ASecondSenderIsCountedAndNotHeard) {
 }
 
 TEST(UdpHandWire, NobodyWhoSendsIsTold) {
-  const auto device = open_hands("udp-hand://127.0.0.1:" + std::to_string(free_udp_port()));
   SteadyClock clock;
+  const auto device = open_hands("udp-hand://127.0.0.1:" + std::to_string(free_udp_port()));
   const auto begun = device->start(clock);
   ASSERT_FALSE(begun);
   EXPECT_NE(begun.error().message().find("nobody sends a hand"), std::string::npos);
@@ -202,8 +202,8 @@ TEST(UdpHandWire, NobodyWhoSendsIsTold) {
 TEST(UdpHandWire, APortThatIsTakenIsNamed) {
   UdpPort taken;
   must(taken.open({kHandComputer, 0}, false));
-  const auto device = open_hands("udp-hand://" + taken.local().text());
   SteadyClock clock;
+  const auto device = open_hands("udp-hand://" + taken.local().text());
   const auto begun = device->start(clock);
   ASSERT_FALSE(begun);
   EXPECT_NE(begun.error().message().find(taken.local().text()), std::string::npos);

@@ -82,8 +82,8 @@ class OddPeer {
 
 /// Reads until the connection has been made anew; the counters then.
 HandCounters after_a_new_connection(const OddPeer& peer) {
-  const auto device = open_hands(peer.uri());
   SteadyClock clock;
+  const auto device = open_hands(peer.uri());
   must(device->start(clock));
   const Timestamp end = clock.now() + 10s;
   HandSample sample;

@@ -1,11 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line.hpp"
 
+#include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include <CLI/CLI.hpp>
 
 namespace isograsp::app {
+
+namespace {
+
+/// "nan" and "inf" are numbers to the parsing library, and no bound catches the first of them.
+std::string not_finite(const std::string& text) {
+  return std::isfinite(std::strtod(text.c_str(), nullptr)) ? "" : text + " is no finite number";
+}
+
+}  // namespace
 
 Option Option::required() {
   option_->required();
@@ -75,12 +86,12 @@ Option OptionGroup::option(const std::string& name, std::uint64_t& value, const 
 }
 
 Option OptionGroup::option(const std::string& name, double& value, const std::string& help) {
-  return Option(group_->add_option(name, value, help));
+  return Option(group_->add_option(name, value, help)->check(&not_finite));
 }
 
 Option OptionGroup::option(const std::string& name, std::optional<double>& value,
                            const std::string& help) {
-  return Option(group_->add_option(name, value, help));
+  return Option(group_->add_option(name, value, help)->check(&not_finite));
 }
 
 Option OptionGroup::option(const std::string& name, std::optional<Hand>& hand,

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include <nlohmann/json.hpp>
 
@@ -13,6 +14,7 @@
 #include "app/console.hpp"
 #include "app/language.hpp"
 #include "core/csv.hpp"
+#include "hand/finger.hpp"
 #include "session/library/library.hpp"
 #include "tasks/reasons/reasons.hpp"
 
@@ -23,6 +25,9 @@ namespace {
 struct ScoreOptions {
   std::string task;
   std::string signals;
+  std::optional<Hand> affected;
+  std::optional<double> maximum_left_N;
+  std::optional<double> maximum_right_N;
   bool json = false;
 };
 
@@ -77,7 +82,16 @@ Lines as_table(const std::vector<Measure>& measures) {
 
 Result<void> run_score(const ScoreOptions& options) {
   std::vector<Measure> measures;
-  if (options.task.empty()) {
+  if (options.affected) {
+    const auto signals = read_signals(options.signals);
+    if (!signals) return signals.error();
+    measures = tasks::score_two_hands(
+        *signals, {*options.affected, options.maximum_left_N, options.maximum_right_N});
+    if (measures.empty())
+      return refused("has no columns left_force_N and right_force_N"_text,
+                     "give a record of two hands, or leave out --affected"_text)
+          .at(options.signals);
+  } else if (options.task.empty()) {
     const auto signals = read_signals(options.signals);
     if (!signals) return signals.error();
     measures = tasks::score_pairs(*signals);
@@ -104,9 +118,18 @@ Result<void> run_score(const ScoreOptions& options) {
 void add_score(CommandLine& line) {
   auto options = std::make_shared<ScoreOptions>();
   Subcommand command = line.subcommand("score", "Measures of one recorded trial");
-  command.option("--task", options->task,
-                 "Task file; without it every target_X is paired with its actual_X");
+  Option task = command.option("--task", options->task,
+                               "Task file; without it every target_X is paired with its actual_X");
   command.option("--signals", options->signals, "Signals of the trial (CSV)").required();
+  Option affected =
+      command.option("--affected", options->affected, "Record of two hands: the affected one");
+  affected.excludes(task);
+  command.option("--maximum-left", options->maximum_left_N, "Maximum of the left hand [N]")
+      .positive()
+      .needs(affected);
+  command.option("--maximum-right", options->maximum_right_N, "Maximum of the right hand [N]")
+      .positive()
+      .needs(affected);
   command.flag("--json", options->json, "Print one JSON document");
   command.footer(
       "Example:\n  isograsp score --task library/tasks/grip_sine.toml --signals trial.csv");

@@ -191,6 +191,18 @@ constexpr std::array kEntries{
     Entry{"elbow_extension", "Largest angle of the elbow"_text, Better::unknown, Use::research},
     Entry{"elbow_extension_rate", "Fastest stretching of the elbow"_text, Better::unknown,
           Use::research},
+    // Two hands that press together.
+    Entry{"share_affected", "Share of the affected hand"_text, Better::unknown},
+    Entry{"asymmetry", "Asymmetry of the hands"_text, Better::near_zero},
+    Entry{"effort_share_affected", "Share of the effort, affected hand"_text, Better::unknown},
+    Entry{"hand_correlation", "Correlation of the hands"_text, Better::unknown, Use::research},
+    Entry{"hand_lag", "Lag of the affected hand behind the other"_text, Better::near_zero,
+          Use::research},
+    Entry{"hand_lag_correlation", "Correlation of the hands at that lag"_text, Better::unknown,
+          Use::research},
+    Entry{"hand_synergy", "Synergy of the hands"_text, Better::unknown, Use::research},
+    Entry{"cancelled_share", "Pushes that the hands take from each other"_text, Better::unknown,
+          Use::research},
     // A tracked hand: all of it research, a tracker is too coarse for a verdict.
     Entry{"largest_gap", "Largest gap of thumb and index finger"_text, Better::unknown,
           Use::research},

@@ -166,16 +166,17 @@ bool varies(std::span<const double> x) {
 
 }  // namespace
 
-statistics::Computed lag(const statistics::UniformSamples& target,
-                         const statistics::UniformSamples& actual) {
+LagPeak lag_peak(const statistics::UniformSamples& target,
+                 const statistics::UniformSamples& actual) {
   assert(target.values.size() == actual.values.size());
+  const auto none = [](Words why) { return LagPeak{why, why}; };
   constexpr double kMost_s = 1.5;
   constexpr double kLeastCorrelation = 0.35;
   constexpr double kRoundingSlack = 1e-9;
   const auto most =
       static_cast<std::ptrdiff_t>(std::floor(kMost_s / target.step_s * (1.0 + kRoundingSlack)));
   if (!varies(target.values) || !varies(actual.values))
-    return "target or actual does not vary"_text;
+    return none("target or actual does not vary"_text);
   const auto exact = [&](std::ptrdiff_t shift) {
     return correlation(target.values, actual.values, shift);
   };
@@ -193,16 +194,21 @@ statistics::Computed lag(const statistics::UniformSamples& target,
     here = r;
     peak = shift;
   }
-  if (!here) return "target or actual does not vary"_text;
-  if (*here < kLeastCorrelation) return "the correlation stays below 0.35"_text;
+  if (!here) return none("target or actual does not vary"_text);
+  if (*here < kLeastCorrelation) return none("the correlation stays below 0.35"_text);
   constexpr Words kNoPeak = "the correlation has no peak within 1.5 s"_text;
-  if (peak == -most || peak == most) return kNoPeak;
+  if (peak == -most || peak == most) return none(kNoPeak);
   const auto before = exact(peak - 1);
   const auto after = exact(peak + 1);
-  if (!before || !after) return kNoPeak;
+  if (!before || !after) return none(kNoPeak);
   const double bend = *before - 2.0 * *here + *after;
   const double part = bend < 0.0 ? 0.5 * (*before - *after) / bend : 0.0;
-  return (static_cast<double>(peak) + part) * target.step_s;
+  return {(static_cast<double>(peak) + part) * target.step_s, *here};
+}
+
+statistics::Computed lag(const statistics::UniformSamples& target,
+                         const statistics::UniformSamples& actual) {
+  return lag_peak(target, actual).lag_s;
 }
 
 }  // namespace isograsp::tasks

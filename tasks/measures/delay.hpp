@@ -16,4 +16,12 @@ namespace isograsp::tasks {
 [[nodiscard]] statistics::Computed lag(const statistics::UniformSamples& target,
                                        const statistics::UniformSamples& actual);
 
+/// The same with the r of the whole shift at which the peak stands; no value where lag has none.
+struct LagPeak {
+  statistics::Computed lag_s;
+  statistics::Computed correlation;
+};
+[[nodiscard]] LagPeak lag_peak(const statistics::UniformSamples& target,
+                               const statistics::UniformSamples& actual);
+
 }  // namespace isograsp::tasks

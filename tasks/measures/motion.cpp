@@ -10,7 +10,7 @@
 #include <numbers>
 
 #include "statistics/weighted.hpp"
-#include "tasks/measures/direction.hpp"
+#include "tasks/measures/coordination/direction.hpp"
 
 namespace isograsp::tasks {
 

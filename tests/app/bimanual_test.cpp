@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Commands about two hands, pads and patches, as a user types them.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -83,6 +85,70 @@ TEST(TwoHandsCommands, ForcesThatAreNoPushesAreRefusedByColumnAndNothingIsWritte
   EXPECT_EQ(refused.status, 2);
   EXPECT_NE(refused.err.find("left_push_y_N"), std::string::npos) << refused.err;
   EXPECT_FALSE(std::filesystem::exists(folder.path("o.csv")));
+}
+
+TEST(TwoHandsCommands, ARecordOfTwoHandsIsScoredAsTheReference) {
+  constexpr double kOtherSums = 1e-9;  // the reference adds up in another order
+  const auto golden = Json::parse(test::must(read_text(kData + "bilateral.json")));
+  for (const auto& one : test::every(golden.at("cases"))) {
+    const auto number = [&](const char* key) { return std::to_string(one.at(key).get<double>()); };
+    const auto done =
+        isograsp("score --json --signals " + kData + one.at("signals").get<std::string>() +
+                 " --affected " + one.at("affected").get<std::string>() + " --maximum-left " +
+                 number("maximum_left_N") + " --maximum-right " + number("maximum_right_N"));
+    ASSERT_EQ(done.status, 0) << done.err;
+    const Json printed = Json::parse(done.out);
+    std::map<std::string, Json> found;
+    for (const auto& measure : printed.at("measures")) {
+      const auto name = measure.at("name").get<std::string>();
+      const auto channel = measure.at("channel").get<std::string>();
+      found[name == "rmse" ? "rmse_" + channel : name] = measure.at("value");
+    }
+    for (const auto& [name, value] : one.at("expected").items()) {
+      ASSERT_EQ(found[name].is_null(), value.is_null()) << one.at("id") << " " << name;
+      if (value.is_null()) continue;
+      const double expected = value.get<double>();
+      EXPECT_WITHIN(found[name].get<double>(), expected,
+                    kOtherSums * std::max(1.0, std::abs(expected)))
+          << one.at("id") << " " << name;
+    }
+  }
+}
+
+TEST(TwoHandsCommands, TheChannelNamesTheAffectedHandAndWithoutMaximaThereIsNoShareOfEffort) {
+  const std::string signals = kData + "bilateral/affected_lags_130ms.csv";
+  double sum = 0.0;
+  for (const std::string hand : {"left", "right"}) {
+    const auto done = isograsp("score --json --signals " + signals + " --affected " + hand);
+    ASSERT_EQ(done.status, 0) << done.err;
+    const auto measures = Json::parse(done.out).at("measures");
+    EXPECT_EQ(measures.at(0).at("name"), "share_affected");
+    EXPECT_EQ(measures.at(0).at("channel"), hand);
+    sum += measures.at(0).at("value").get<double>();
+    EXPECT_TRUE(measures.at(2).at("value").is_null());
+    EXPECT_EQ(measures.at(2).at("reason"), "the maximum of each hand is not known");
+  }
+  EXPECT_WITHIN(sum, 100.0, 1e-9);  // rounding
+}
+
+TEST(TwoHandsCommands, AScoreOfTwoHandsThatCannotBeIsRefusedWithTheRemedy) {
+  const TemporaryFolder folder;
+  const std::string one = folder.write("one.csv", "t_s,left_force_N\n0,1\n0.01,1\n");
+  const std::string both = kData + "bilateral/affected_lags_130ms.csv";
+  const std::vector<std::pair<std::string, std::string>> bad{
+      {one + " --affected left", "left_force_N and right_force_N"},
+      {both + " --affected both", "--affected"},
+      {both + " --affected left --task " ISOGRASP_SOURCE_DIR "/library/tasks/grip_sine.toml",
+       "--task"},
+      {both + " --maximum-left 12", "--affected"},
+      {both + " --affected left --maximum-left 0", "--maximum-left"},
+      {both + " --affected left --maximum-right nan", "--maximum-right"}};
+  for (const auto& [words, named] : bad) {
+    const auto done = isograsp("score --signals " + words);
+    EXPECT_EQ(done.status, 2) << words;
+    EXPECT_NE(done.err.find(named), std::string::npos) << done.err;
+    EXPECT_TRUE(done.out.empty()) << done.out;
+  }
 }
 
 TEST(PatchCommand, SaysAreaTorsionAndWhyEachRayStopped) {

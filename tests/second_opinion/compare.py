@@ -8,6 +8,7 @@ measures anew from the signals and prints a table. Status 1 on any difference.""
 import json
 import math
 import os
+import random
 import subprocess
 import sys
 import tempfile
@@ -30,11 +31,13 @@ TOLERANCE = 1e-9
 # The peak of a correlation is found from differences of its values, of 1e-6 and less for slow targets: their
 # rounding moves it by some 1e-11 s. A nanosecond is a ten-millionth of a step.
 LAG_TOLERANCE_S = 1e-9
-# A mean of errors that cancel, a phase near 0, a turn from a pose to itself is known in relation to what was added up.
+# A mean of errors that cancel, a phase near 0, a turn from a pose to itself, a difference of equal variances is known in
+# relation to what was added up.
 ABSOLUTE = {"constant_error": 1e-13, "phase": 1e-12, "phase_lag": 1e-12, "fall": 1e-11, "resting_force": 1e-14,
-            "fatigue_slope": 1e-12, "rotation": 1e-15}
+            "fatigue_slope": 1e-12, "rotation": 1e-15, "hand_synergy": 1e-12}
 # No measure uses them.
 NOT_READ = ("_counts", "_flexion_N", "_radial_N", "_distal_N", "ness_s", "compute_s", "_residual_m", "_state")
+TWO_HANDS = 60  # records
 NOT_COMPARED = (
     "units and the words of reasons: compared are value or none, the value, samples, excluded and the version",)
 
@@ -47,12 +50,12 @@ def difference(name, ours, theirs):
     return apart / max(abs(ours), abs(theirs))
 
 
-def compare(label, kind, theirs, signals, task):
+def compare(label, kind, theirs, score):
     """One trial: kind, number of measures, names of those with a value, largest difference, what is wrong."""
     warnings.simplefilter("error")
     wrong, worst, values = [], 0.0, []
     try:
-        ours = scorer.score(signals, task)
+        ours = score()
     except Exception as error:  # pylint: disable=broad-except
         return kind, len(theirs), [], math.inf, [f"{label}: the scorer failed: {error!r}"]
     count, theirs = len(theirs), {(m["name"], m["channel"]): m for m in theirs}
@@ -120,7 +123,7 @@ def check_stored(base, name):
         trial = json.load(file)
     kind = trial["trial"]["task_kind"]
     label = f"{name}, {trial['trial']['task']}"
-    return [compare(label, kind, trial["measures"], base + "_signals.csv", base + "_task.toml")]
+    return [compare(label, kind, trial["measures"], lambda: scorer.score(base + "_signals.csv", base + "_task.toml"))]
 
 
 def check_varied(program, base, name, folder, seed):
@@ -132,7 +135,7 @@ def check_varied(program, base, name, folder, seed):
         signals = folder / f"{variation.__name__}_{name}_{seed}.csv"
         write_columns(signals, vary(columns, variation, seed))
         label = f"{variation.__name__} {name} {Path(base).name} {kind}"
-        found.append(compare(label, kind, program.score(signals, task), signals, task))
+        found.append(compare(label, kind, program.score(signals, task), lambda: scorer.score(signals, task)))
         signals.unlink()
     return found
 
@@ -145,7 +148,20 @@ def check_handmade(program, folder, name, columns, text):
         task = folder / f"{name}.toml"
         task.write_text(text, encoding="utf-8")
     kind = Task(task).kind if text else "without a task"
-    return [compare(f"by hand, {name}", kind, program.score(signals, task), signals, task)]
+    return [compare(f"by hand, {name}", kind, program.score(signals, task), lambda: scorer.score(signals, task))]
+
+
+def check_two_hands(program, folder, seed):
+    """A record of two hands."""
+    columns, affected, maxima = handmade.two_hands(random.Random(f"two hands {seed}"))
+    signals = folder / f"two_hands_{seed}.csv"
+    write_columns(signals, columns)
+    words = ["--affected", affected]
+    for hand, maximum in maxima.items():
+        words += [f"--maximum-{hand}", repr(maximum)] if maximum else []
+    theirs = json.loads(program("score", "--signals", signals, "--json", *words))["measures"]
+    return [compare(f"two hands {seed}", "two hands", theirs,
+                    lambda: scorer.score_two_hands(signals, affected, maxima))]
 
 
 def jobs_of(pool, program, folder, seed, refused):
@@ -153,6 +169,8 @@ def jobs_of(pool, program, folder, seed, refused):
     for other in (seed + 1, seed + 2):
         for name, columns, text in handmade.cases(other):
             yield pool.submit(check_handmade, program, folder, f"{name}_{other}", columns, text)
+    for k in range(TWO_HANDS):
+        yield pool.submit(check_two_hands, program, folder, f"{k} {seed}")
     made = [(s[0], sessions.trials(s[-1]), pool.submit(make_session, program, folder, *s)) for s in sessions.sessions(seed)]
     varied, complete = set(), sessions.complete(seed)
     for name, asked, session in made:

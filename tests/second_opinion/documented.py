@@ -24,6 +24,8 @@ VERSIONS = versions()
 
 def version_of(name):
     """None: the document does not know the measure."""
+    if name in VERSIONS:
+        return VERSIONS[name]
     for ending in DERIVED:
         name = name.removesuffix(ending)
     return VERSIONS.get(name)

@@ -254,6 +254,35 @@ def placements(chance):
                      'object = "slim_cuboid"\ntarget = 1\n')
 
 
+def two_hands(chance):
+    """Columns, affected hand, maxima: hands that share a target, late, with noise of their own and of both."""
+    n = chance.choice((40, 400, 1600))
+    t = np.arange(n) / 100
+    target = 6 + 2 * np.sin(1.3 * t) + np.sin(2.9 * t + 1)
+    share, late = chance.uniform(0, 1), chance.choice((0, 7, 13, -4, 160))
+    drift = lambda sd: np.convolve(noise(chance, n + 30, sd), np.ones(31) / 31, "valid")
+    common, apart, rest = drift(chance.choice((0, 1))), drift(chance.choice((0, 1, 2))), chance.choice((-8, 0, 0, 0.5))
+    columns = {"t_s": t, "left_force_N": share * np.roll(target, late) + common + apart + rest,
+               "right_force_N": (1 - share) * target + common - apart + noise(chance, n, 0.02)}
+    if chance.random() < 0.7:
+        columns["target_sum_force_N"] = target if chance.random() < 0.8 else np.full(n, 6.0)
+    if chance.random() < 0.5:
+        columns |= {"target_left_force_N": share * target, "target_right_force_N": (1 - share) * target}
+    if chance.random() < 0.5:
+        columns |= {f"{hand}_push_{axis}_N": drift(2) + chance.uniform(-2, 2)
+                    for hand in ("left", "right") for axis in "xyz"}
+    if chance.random() < 0.5:
+        columns["phase"] = np.ones(n)
+        first = chance.randrange(n)
+        columns["phase"][first:first + chance.choice((3, 20))] = 4
+    for name in chance.sample(sorted(set(columns) - {"t_s", "phase"}), 2):
+        columns[name][[chance.randrange(n) for _ in range(chance.choice((0, 3)))]] = np.nan
+    if chance.random() < 0.3:
+        columns = uneven(columns, chance)
+    known = chance.random() < 0.8
+    return columns, chance.choice(("left", "right")), {hand: known and chance.uniform(5, 60) for hand in ("left", "right")}
+
+
 def cases(seed):
     """Name, columns, text of the task (None: without a task)."""
     chance = random.Random(seed)

@@ -14,6 +14,7 @@ import recorded
 import smoothness
 import strength
 import tracking
+import two_hands
 from record import ACTIVE, Record, read_columns
 from result import Results
 from task import CLOSED, Task, number, percent
@@ -177,4 +178,11 @@ def score(signals, task=None):
     else:
         task = Task(task)
         KINDS[task.kind](results, task, Record(columns, task.kind != "recorded"))
+    return results.measures
+
+
+def score_two_hands(signals, affected, maxima):
+    """Measures of a record of two hands."""
+    results = Results()
+    two_hands.score_two_hands(results, Record(read_columns(signals), False), affected, maxima)
     return results.measures

@@ -10,7 +10,7 @@
 #include "tasks/kinds/tools/of_kind.hpp"
 #include "tasks/kinds/tools/read_force_keys.hpp"
 #include "tasks/kinds/tools/segments.hpp"
-#include "tasks/measures/direction.hpp"
+#include "tasks/measures/coordination/direction.hpp"
 
 namespace isograsp::tasks {
 

@@ -12,8 +12,8 @@
 #include "tasks/kinds/tools/read_force_keys.hpp"
 #include "tasks/kinds/tools/score_tools.hpp"
 #include "tasks/kinds/tools/segments.hpp"
-#include "tasks/measures/digits.hpp"
-#include "tasks/measures/direction.hpp"
+#include "tasks/measures/coordination/digits.hpp"
+#include "tasks/measures/coordination/direction.hpp"
 #include "tasks/measures/error.hpp"
 
 namespace isograsp::tasks {

@@ -12,7 +12,7 @@
 #include "tasks/kinds/tools/read_force_keys.hpp"
 #include "tasks/kinds/tools/score_tools.hpp"
 #include "tasks/kinds/tools/segments.hpp"
-#include "tasks/measures/digits.hpp"
+#include "tasks/measures/coordination/digits.hpp"
 #include "tasks/reasons/reasons.hpp"
 
 namespace isograsp::tasks {

@@ -12,9 +12,9 @@
 #include "hand/columns.hpp"
 #include "tasks/kinds/tools/of_kind.hpp"
 #include "tasks/kinds/tools/score_tools.hpp"
+#include "tasks/measures/coordination/synergy.hpp"
 #include "tasks/measures/error.hpp"
 #include "tasks/measures/spectrum.hpp"
-#include "tasks/measures/synergy.hpp"
 #include "tasks/read_keys.hpp"
 #include "tasks/reasons/reasons.hpp"
 

@@ -14,7 +14,7 @@
 #include "hand/columns.hpp"
 #include "statistics/quantile.hpp"
 #include "tasks/kinds/tools/object_score.hpp"
-#include "tasks/measures/coupling.hpp"
+#include "tasks/measures/coordination/coupling.hpp"
 
 namespace isograsp::tasks {
 

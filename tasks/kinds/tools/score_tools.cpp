@@ -9,7 +9,7 @@
 
 #include "hand/columns.hpp"
 #include "statistics/survival.hpp"
-#include "tasks/measures/direction.hpp"
+#include "tasks/measures/coordination/direction.hpp"
 #include "tasks/measures/error.hpp"
 
 namespace isograsp::tasks {

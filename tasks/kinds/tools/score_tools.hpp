@@ -11,8 +11,8 @@
 #include "hand/columns.hpp"
 #include "hand/force_channel.hpp"
 #include "statistics/samples.hpp"
-#include "tasks/measures/digits.hpp"
-#include "tasks/measures/synergy.hpp"
+#include "tasks/measures/coordination/digits.hpp"
+#include "tasks/measures/coordination/synergy.hpp"
 #include "tasks/record.hpp"
 
 namespace isograsp::tasks {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/measures/direction.hpp"
+#include "tasks/measures/coordination/direction.hpp"
 
 #include <numbers>
 

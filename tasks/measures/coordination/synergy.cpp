@@ -3,7 +3,7 @@
 //   v_ort = sum (f . u)^2 / (N - 1),  v_ucm = sum |f - (f . u) u|^2 / ((n - 1) (N - 1))
 //   v_tot = sum |f|^2 / (n (N - 1)),  delta_v = (v_ucm - v_ort) / v_tot
 //   delta_v_z = ln((n - 1) v_ucm / v_ort) / 2
-#include "tasks/measures/synergy.hpp"
+#include "tasks/measures/coordination/synergy.hpp"
 
 #include <algorithm>
 #include <cassert>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/measures/digits.hpp"
+#include "tasks/measures/coordination/digits.hpp"
 
 #include <algorithm>
 #include <array>

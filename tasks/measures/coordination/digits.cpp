@@ -2,7 +2,7 @@
 // rise: mean of a digit's force in a hold less its force at the start of the hold:
 //   enslaving of i by j = mean of rise_i / rise_j over the holds of j
 //   uninstructed deviation = sqrt(sum w (force - start)^2 / sum w) over the digits not asked for
-#include "tasks/measures/digits.hpp"
+#include "tasks/measures/coordination/digits.hpp"
 
 #include <algorithm>
 #include <cassert>

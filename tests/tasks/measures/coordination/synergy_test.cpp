@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/measures/synergy.hpp"
+#include "tasks/measures/coordination/synergy.hpp"
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 //   projection ratio = sum w (f . d) / sum w |f|
 //   along = (f - f_0) . (f_n - f_0) / |f_n - f_0|^2
 //   path deviation = sum w |f - f_0 - along (f_n - f_0)| / sum w
-#include "tasks/measures/direction.hpp"
+#include "tasks/measures/coordination/direction.hpp"
 
 #include <algorithm>
 #include <cassert>

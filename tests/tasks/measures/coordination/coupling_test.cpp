@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/measures/coupling.hpp"
+#include "tasks/measures/coordination/coupling.hpp"
 
 #include <gtest/gtest.h>
 

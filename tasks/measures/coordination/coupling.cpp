@@ -3,7 +3,7 @@
 //   slope = sum x y / sum x^2,  correlation = largest r(shift) within 0.5 s
 //   lag = its shift, moved to the top of the parabola through it and its neighbours
 //   safety margin = 100 sum w (1 - needed / grip) / sum w, where there is grip
-#include "tasks/measures/coupling.hpp"
+#include "tasks/measures/coordination/coupling.hpp"
 
 #include <algorithm>
 #include <array>

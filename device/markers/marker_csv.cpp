@@ -11,7 +11,7 @@ namespace isograsp {
 
 namespace {
 
-constexpr const char* kAxes[] = {"_x_m", "_y_m", "_z_m"};
+constexpr const char* kPositionEndings[] = {"_x_m", "_y_m", "_z_m"};
 
 class MarkerCsv final : public MarkerReader {
  public:
@@ -57,13 +57,14 @@ Result<std::vector<std::string>> markers_in(const CsvReader& csv) {
   std::vector<std::string> markers;
   for (std::size_t c = 1; c < columns.size(); c += 3) {
     const std::string& first = columns[c];
-    const std::string name = first.ends_with(kAxes[0]) ? first.substr(0, first.size() - 4) : "";
+    const std::string name =
+        first.ends_with(kPositionEndings[0]) ? first.substr(0, first.size() - 4) : "";
     if (name.empty()) return csv.error_here(first, "begins no position of a marker"_text, kRemedy);
     for (std::size_t a = 1; a < 3; ++a)
-      if (c + a >= columns.size() || columns[c + a] != name + kAxes[a])
-        return csv.error_here(c + a < columns.size() ? columns[c + a] : first,
-                              "column '%1' does not stand in its place"_text(name + kAxes[a]),
-                              kRemedy);
+      if (c + a >= columns.size() || columns[c + a] != name + kPositionEndings[a])
+        return csv.error_here(
+            c + a < columns.size() ? columns[c + a] : first,
+            "column '%1' does not stand in its place"_text(name + kPositionEndings[a]), kRemedy);
     markers.push_back(name);
   }
   if (markers.empty()) return csv.error_here("", "names no marker"_text, kRemedy);
@@ -88,7 +89,7 @@ Result<MarkerCsvWriter> MarkerCsvWriter::create(const std::string& path,
   if (!file) return file.error();
   std::string head = "t_s";
   for (const std::string& marker : markers)
-    for (const char* axis : kAxes) head += "," + without_formula(marker + axis);
+    for (const char* axis : kPositionEndings) head += "," + without_formula(marker + axis);
   file->write(head + "\n");
   return MarkerCsvWriter(std::move(*file));
 }

@@ -14,7 +14,7 @@ namespace isograsp::gui {
 namespace {
 constexpr int kGap_px = 10;
 constexpr int kTile_px = 250;  // least width of a picture
-constexpr int kBar_px = 12;    // scroll bar
+constexpr int kScrollBar_px = 12;
 }  // namespace
 
 TrendGrid::TrendGrid(QWidget* parent) : QStackedWidget(parent) {
@@ -82,7 +82,7 @@ void TrendGrid::show_trends(std::vector<MeasureTrend> trends) {
 }
 
 int TrendGrid::columns() const {
-  return std::max(1, (width() - kBar_px + kGap_px) / (scaled(kTile_px) + kGap_px));
+  return std::max(1, (width() - kScrollBar_px + kGap_px) / (scaled(kTile_px) + kGap_px));
 }
 
 void TrendGrid::arrange() {

@@ -7,7 +7,7 @@ namespace isograsp::storage {
 
 namespace {
 
-constexpr std::array<MergeTable, 14> kTables{{
+constexpr std::array<MergeTable, 14> kMergedTables{{
     {"patient_profiles", "patient_id", {{{"patient_id", "patients"}, {}, {}}}},
     {"treatment_marks", "", {{{"patient_id", "patients"}, {}, {}}}},
     {"clinical_scores", "", {{{"patient_id", "patients"}, {}, {}}}},
@@ -47,7 +47,7 @@ constexpr std::array<MergePart, 8> kParts{{
 }  // namespace
 
 std::span<const MergeTable> merge_tables() {
-  return kTables;
+  return kMergedTables;
 }
 
 std::span<const MergePart> merge_parts() {

@@ -52,31 +52,45 @@ TEST(EveryCommand, TellsItsUseAndRefusesWhatItDoesNotKnowWithStatusTwo) {
   }
 }
 
+/// Words of a kind, tried behind every command: each kind is a test of its own, so that they share
+/// the processors.
+enum class Behind { nothing, files, databases };
+class EveryCommandBehind : public testing::TestWithParam<Behind> {
+ protected:
+  [[nodiscard]] std::vector<std::string> words() const {
+    const std::string absent = folder_.path("absent/file");
+    const std::string binary = folder_.write("binary", std::string("\x00\xff\x1b[2J\n\n=1+1", 12));
+    switch (GetParam()) {
+      case Behind::nothing: return {"", "'' ''", absent};
+      case Behind::files: return {absent + " " + absent, binary, binary + " " + binary};
+      case Behind::databases: break;
+    }
+    return {"--db " + absent, "--db " + binary, "--db " + folder_.path("")};
+  }
+  const test::TemporaryFolder folder_;
+};
+
 /// A signal would give -1, and who waits for ever is ended with 124.
-TEST(EveryCommand, EndsByItselfWithAStatusWhateverStandsBehindIt) {
-  const test::TemporaryFolder folder;
-  const std::string absent = folder.path("absent/file");
-  const std::string binary = folder.write("binary", std::string("\x00\xff\x1b[2J\n\n=1+1", 12));
-  const test::Variable home("HOME", folder.path("HOME"));
+TEST_P(EveryCommandBehind, EndsByItselfWithAStatus) {
+  const test::Variable home("HOME", folder_.path("HOME"));
   const test::Variable platform("QT_QPA_PLATFORM", "offscreen");
-  const std::vector<std::string> behind{"",
-                                        "'' ''",
-                                        absent,
-                                        absent + " " + absent,
-                                        binary,
-                                        binary + " " + binary,
-                                        "--db " + absent,
-                                        "--db " + binary,
-                                        "--db " + folder.path("")};
+  const auto behind = words();
   for (const std::string& command : test::every(all_commands())) {
     if (command == " gui" || command == " demo") continue;  // they would open windows
-    for (const std::string& words : behind) {
-      const auto done = test::run("timeout 60 \"" ISOGRASP_EXECUTABLE "\"" + command + " " + words);
+    for (const std::string& typed : test::every(behind)) {
+      const auto done = test::run("timeout 60 \"" ISOGRASP_EXECUTABLE "\"" + command + " " + typed);
       EXPECT_TRUE(done.status >= 0 && done.status <= 2)
-          << command << " " << words << ": " << done.status << " " << done.err;
+          << command << " " << typed << ": " << done.status << " " << done.err;
     }
   }
 }
+std::string name_of_words(const testing::TestParamInfo<Behind>& of) {
+  if (of.param == Behind::nothing) return "Nothing";
+  return of.param == Behind::files ? "Files" : "Databases";
+}
+INSTANTIATE_TEST_SUITE_P(Words, EveryCommandBehind,
+                         testing::Values(Behind::nothing, Behind::files, Behind::databases),
+                         name_of_words);
 
 }  // namespace
 }  // namespace isograsp::app::every_command_test

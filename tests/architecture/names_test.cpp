@@ -85,6 +85,42 @@ TEST(Names, StandInTheNamespaceOfTheirFolderAndThoseThatAreInstalledInOne) {
   }
 }
 
+/// What a .cpp file defines for itself alone: names of constants and classes, heads of functions.
+std::vector<std::string> hidden_in(const Source& source) {
+  static const std::regex kConstant(
+      R"(^(?:constexpr|const|static) .*?\b(k[A-Z]\w*)(?:\[\w*\])?(?: =|\{).*)");
+  static const std::regex kClass(R"(^(?:class|struct|enum class) (\w+)\b.*\{.*)");
+  static const std::regex kFunction(R"(^([a-z][\w:<>,&* ]* \w+\([^;]*\).*\{).*)");
+  std::vector<std::string> names;
+  bool hidden = false;
+  for (const std::string& line : source.lines) {
+    if (line == "namespace {") hidden = true;
+    if (line == "}  // namespace") hidden = false;
+    std::smatch match;
+    for (const auto* const pattern : {&kConstant, &kClass, &kFunction})
+      if (hidden && std::regex_match(line, match, *pattern)) {
+        names.push_back(match[1].str());
+        break;
+      }
+  }
+  return names;
+}
+
+TEST(Names, OfOneFolderAreHiddenOnceSoThatItsFilesCompileTogetherInAnyBatch) {
+  std::map<std::string, Files> defined;  // "tasks kNoForce"
+  for (const Source& source : all_sources())
+    if (!source.is_header())
+      for (const auto& name : hidden_in(source))
+        defined[source.folder + " " + name].insert(source.file);
+  constexpr std::size_t kFewest = 2000;  // the house has more; fewer: the sources were not read
+  EXPECT_GT(defined.size(), kFewest);
+  for (const auto& [name, files] : test::every(defined)) {
+    std::string where;
+    for (const auto& file : files) where += "\n  " + file;
+    EXPECT_EQ(files.size(), 1U) << name << " is hidden in" << where;
+  }
+}
+
 TEST(Names, OfClassesStructsAndEnumerationsAreFoundWhereOthersCouldDefineThem) {
   const std::vector<std::string> expected{"a::One", "a::Two", "a::b::Three", "a::Four", "a::Five"};
   EXPECT_EQ(

@@ -12,7 +12,7 @@ namespace isograsp::tasks {
 
 namespace {
 
-constexpr Words kNoForce = "neither hand presses"_text;
+constexpr Words kNeitherPresses = "neither hand presses"_text;
 
 /// Moves the values to mean 0 and largest size 1; a constant becomes 0.
 Eigen::VectorXd scaled(const Eigen::VectorXd& x) {
@@ -47,7 +47,7 @@ double mean_square(const Eigen::VectorXd& x) {
 HandShare hand_share(double affected_N, double other_N) {
   const double affected = std::max(0.0, affected_N);
   const double other = std::max(0.0, other_N);
-  if (!(affected + other > 0.0)) return {kNoForce, kNoForce};
+  if (!(affected + other > 0.0)) return {kNeitherPresses, kNeitherPresses};
   return {100.0 * affected / (affected + other), 100.0 * (other - affected) / (affected + other)};
 }
 
@@ -94,7 +94,7 @@ statistics::Computed cancelled_share(std::span<const Vec3> left_N, std::span<con
     together += weight[k] * (left_N[k] + right_N[k]).norm();
     each += weight[k] * (left_N[k].norm() + right_N[k].norm());
   }
-  if (!(each > 0.0)) return kNoForce;
+  if (!(each > 0.0)) return kNeitherPresses;
   return 100.0 * (1.0 - together / each);
 }
 

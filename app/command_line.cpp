@@ -34,7 +34,12 @@ Option Option::range(double least, double most) {
 }
 
 Option Option::positive() {
-  option_->check(CLI::PositiveNumber);
+  static const CLI::Validator kAboveZero(
+      [](const std::string& text) {
+        return std::strtod(text.c_str(), nullptr) > 0.0 ? "" : text + " is not above zero";
+      },
+      "POSITIVE");
+  option_->check(kAboveZero);
   return *this;
 }
 

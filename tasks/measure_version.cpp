@@ -36,13 +36,19 @@ bool has(const Names& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+int listed_version(std::string_view name) noexcept {
+  if (has(kThird, name)) return 3;
+  return has(kSecond, name) ? 2 : 1;
+}
+
 }  // namespace
 
 int measure_version(std::string_view name) noexcept {
+  // cancelled_share is a measure of its own, no companion of a time.
+  if (const int own = listed_version(name); own != 1) return own;
   for (const std::string_view suffix : {"_share", "_restricted", "_corrected"})
     if (name.ends_with(suffix)) name.remove_suffix(suffix.size());
-  if (has(kThird, name)) return 3;
-  return has(kSecond, name) ? 2 : 1;
+  return listed_version(name);
 }
 
 bool is_older(const Measure& stored) noexcept {

@@ -40,11 +40,27 @@ Text out_of_range(double size) {
   return {};
 }
 
+/// Rows of a uniform grid: at most a hundred for each row of the record, or the number below, which
+/// is an hour at 1 kHz and more.
+constexpr double kMostGridRows = 5e6;
+constexpr double kMostGridRowsPerRow = 100.0;
+
+/// Why the times cannot be brought onto a grid of their usual step; empty: they can.
+Text no_grid(std::span<const double> t_s) {
+  if (t_s.size() < 2) return {};
+  const double rows = (t_s.back() - t_s.front()) / statistics::median_step(t_s);
+  const double most =
+      std::max(kMostGridRows, kMostGridRowsPerRow * static_cast<double>(t_s.size()));
+  if (rows <= most) return {};
+  return "the gaps between the times are too long for their usual step"_text;
+}
+
 /// Why times, or what is known of hand and device beside the signals, cannot be used; empty: they
 /// can.
 Text unusable_context(const Signals& signals, std::span<const double> hold_s) {
   for (const double length_s : hold_s)
     if (Text why = out_of_range(length_s); !why.empty()) return why;
+  if (Text why = no_grid(signals.column(columns::t_s)); !why.empty()) return why;
   for (const std::string_view name :
        {columns::t_s, columns::resting_force_N, columns::maximum_force_N, columns::noise_sd_N,
         columns::resolution_N, columns::device_delay_s, columns::display_delay_s})

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Measures of a record of two hands (docs/measures.md, Two hands).
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "tasks/measures/coordination/coupling.hpp"
 #include "tasks/measures/coordination/two_hands.hpp"
@@ -51,9 +54,12 @@ class TwoHandsScorer {
         make_measure(name, std::string(name_of(context_.affected)), unit, section, computed));
   }
 
+  /// Both forces stand beside their share: it also rises when the other hand weakens.
   void add_shares() {
     const auto affected = mean_over(both_, force_of(context_.affected));
     const auto other = mean_over(both_, force_of(other_));
+    for (const auto& [hand, mean] : {std::pair(context_.affected, affected), {other_, other}})
+      measures_.push_back(make_measure("mean_force", std::string(name_of(hand)), "N", both_, mean));
     HandShare share{affected, affected};
     statistics::Computed effort = affected;
     if (affected.value && other.value) {

@@ -122,11 +122,16 @@ TEST(TwoHandsCommands, TheChannelNamesTheAffectedHandAndWithoutMaximaThereIsNoSh
     const auto done = isograsp("score --json --signals " + signals + " --affected " + hand);
     ASSERT_EQ(done.status, 0) << done.err;
     const auto measures = Json::parse(done.out).at("measures");
-    EXPECT_EQ(measures.at(0).at("name"), "share_affected");
+    EXPECT_EQ(measures.at(0).at("name"), "mean_force");
     EXPECT_EQ(measures.at(0).at("channel"), hand);
-    sum += measures.at(0).at("value").get<double>();
-    EXPECT_TRUE(measures.at(2).at("value").is_null());
-    EXPECT_EQ(measures.at(2).at("reason"), "the maximum of each hand is not known");
+    EXPECT_EQ(measures.at(1).at("name"), "mean_force");
+    const auto mean = [&](int at) { return measures.at(at).at("value").get<double>(); };
+    EXPECT_EQ(measures.at(2).at("name"), "share_affected");
+    EXPECT_EQ(measures.at(2).at("channel"), hand);
+    EXPECT_WITHIN(mean(2), 100.0 * mean(0) / (mean(0) + mean(1)), 1e-9);  // rounding
+    sum += mean(2);
+    EXPECT_TRUE(measures.at(4).at("value").is_null());
+    EXPECT_EQ(measures.at(4).at("reason"), "the maximum of each hand is not known");
   }
   EXPECT_WITHIN(sum, 100.0, 1e-9);  // rounding
 }

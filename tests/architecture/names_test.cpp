@@ -121,6 +121,26 @@ TEST(Names, OfOneFolderAreHiddenOnceSoThatItsFilesCompileTogetherInAnyBatch) {
   }
 }
 
+TEST(Names, ThatAreHiddenAreConstantsClassesAndHeadsOfFunctions) {
+  Source source;
+  source.lines = {"constexpr int kSeen = 1;",
+                  "namespace {",
+                  "constexpr double kLength_m = 0.1;",
+                  "const char* const kWords[] = {",
+                  "constexpr std::array<int, 2> kPair{1, 2};",
+                  "class Reader final : public Base {",
+                  "struct Declared;",
+                  "template <class Sink>",
+                  "void put_place(Sink& sink, const Vec3& p) {",
+                  "  constexpr int kLocal = 2;",
+                  "double declared(double x);",
+                  "}  // namespace",
+                  "void Reader::read(int row) {"};
+  const std::vector<std::string> expected{"kLength_m", "kWords", "kPair", "Reader",
+                                          "void put_place(Sink& sink, const Vec3& p) {"};
+  EXPECT_EQ(hidden_in(source), expected);
+}
+
 TEST(Names, OfClassesStructsAndEnumerationsAreFoundWhereOthersCouldDefineThem) {
   const std::vector<std::string> expected{"a::One", "a::Two", "a::b::Three", "a::Four", "a::Five"};
   EXPECT_EQ(

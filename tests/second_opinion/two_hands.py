@@ -61,6 +61,8 @@ def score_two_hands(results, record, affected, maxima):
     a, u, w, t = force[affected][rows], force[other][rows], record.hold[rows], record.t[rows]
     add = lambda name, value, selection=both: results.add(name, affected, value, selection)
     mean_a, mean_u = (weighted_mean(x, w) if len(rows) else 0.0 for x in (a, u))
+    for hand, mean in ((affected, mean_a), (other, mean_u)):
+        results.add("mean_force", hand, mean, both)
     of_affected = share(mean_a, mean_u)
     add("share_affected", of_affected)
     add("asymmetry", None if of_affected is None else share(mean_u, mean_a) - of_affected)

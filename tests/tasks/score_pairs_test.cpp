@@ -136,6 +136,17 @@ TEST(ScorePairs, IrregularTimesAreWeightedByHoldAndResampled) {
   }
 }
 
+TEST(ScorePairs, TimesThatWouldNeedAGridOfTerabytesGiveReasonsOnly) {
+  Signals signals;
+  signals.add_column("t_s", {0.0, 1e-9, 2e-9, 3e-9, 1e6});
+  signals.add_column("target_force_N", {1.0, 1.0, 2.0, 2.0, 2.0});
+  signals.add_column("actual_force_N", {2.0, 2.0, 2.0, 3.0, 3.0});
+  for (const Measure& measure : test::every(score_pairs(signals))) {
+    EXPECT_FALSE(measure.value) << measure.name;
+    EXPECT_NE(measure.reason.find("gaps"), std::string::npos) << measure.name;
+  }
+}
+
 TEST(ScorePairs, AWrittenAndReadBackRecordHasTheSameScoreBitForBit) {
   const Signals signals = following(times(1500));
   const test::TemporaryFolder folder;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "grasp_model/dormand_prince.hpp"
+#include "grasp_model/rotation.hpp"
 
 namespace isograsp::bimanual {
 
@@ -103,7 +104,7 @@ void CarriedObject::move(const std::array<Vec3, kSides>& p_W, const GraspOfHands
 Quat CarriedObject::turn_of(const Vec3& line_W) const noexcept {
   const auto& free = plan_.scene().free;
   const bool x = free[3], y = free[4], z = free[5];
-  if (x && y && z) return Quat::FromTwoVectors(taken_line_W_, line_W);
+  if (x && y && z) return so3::shortest(taken_line_W_, line_W);
   if (!z || x || y) return Quat::Identity();
   const double angle_rad =
       std::atan2(line_W.y(), line_W.x()) - std::atan2(taken_line_W_.y(), taken_line_W_.x());

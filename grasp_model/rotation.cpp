@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A turn by t = |phi| about phi; quotients that lose digits near t = 0 are series there:
 //   exp(phi) = (cos(t/2), sin(t/2) phi / t),  log(w, v) = 2 atan2(|v|, w) v / |v|
+//   shortest turn of a to b, |a| = |b| = 1: (|a + b|, |a - b| along a x b) / 2
 //   Jr(phi) u = u - a phi x u + b phi x (phi x u),  a = (1 - cos t) / t^2,  b = (t - sin t) / t^3
 //   Jr^-1(phi) u = u + phi x u / 2 + d phi x (phi x u),  d = (1 - (t/2) cot(t/2)) / t^2
 //   Jr^-T(phi) u = u - phi x u / 2 + d phi x (phi x u)
@@ -57,6 +58,21 @@ Vec3 log(const Quat& q) noexcept {
   const double v = length(q.vec());
   if (v == 0.0) return 2.0 / q.w() * q.vec();
   return 2.0 * std::atan2(v, q.w()) / v * q.vec();
+}
+
+Quat shortest(const Vec3& from, const Vec3& to) noexcept {
+  const Vec3 a = from.stableNormalized(), b = to.stableNormalized();
+  const Vec3 sum = a + b;
+  // a x sum is a x b, and keeps its digits where they are opposite.
+  const Vec3 across = a.cross(sum);
+  const double cosine = 0.5 * length(sum), sine = 0.5 * length(a - b);
+  const double size = length(across);
+  Vec3 axis = Vec3::Zero();
+  if (size > 0.0)
+    axis = across / size;
+  else if (cosine < 0.5)
+    axis = a.unitOrthogonal();
+  return {cosine, sine * axis.x(), sine * axis.y(), sine * axis.z()};
 }
 
 Vec3 jr(const Vec3& phi, const Vec3& u) noexcept {

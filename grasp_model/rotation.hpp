@@ -37,6 +37,9 @@ struct CosSin {
 /// Rotation vector of a quaternion (its norm cancels); |phi| in [0, 2 pi], the sign of q is the
 /// branch.
 [[nodiscard]] Vec3 log(const Quat& q) noexcept;
+/// The turn of least angle that takes the direction `from` to that of `to`; of opposite ones, half
+/// a turn about some axis across them. @pre neither is zero
+[[nodiscard]] Quat shortest(const Vec3& from, const Vec3& to) noexcept;
 /// Right Jacobian times u: exp(phi + d) = exp(phi) exp(Jr(phi) d) to first order in d.
 [[nodiscard]] Vec3 jr(const Vec3& phi, const Vec3& u) noexcept;
 /// Its inverse and inverse transpose times u; pole at |phi| = 2 pi.

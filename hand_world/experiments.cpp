@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "grasp_model/rotation.hpp"
+
 namespace isograsp::hand_world {
 
 SqueezeResult squeeze(const Squeeze& setup) noexcept {
@@ -51,7 +53,7 @@ SlideResult slide(const Slide& setup) noexcept {
                          PadLaw::kGiving_1_s;
   ObjectMotion start;
   start.X_WO.p.y() = disk.shape.half_m.z() - depth_m;
-  start.X_WO.q = Quat::FromTwoVectors(Vec3::UnitZ(), Vec3::UnitY());
+  start.X_WO.q = so3::shortest(Vec3::UnitZ(), Vec3::UnitY());
   start.v_WO_W = {setup.v0_m_s, 0.0, 0.0};
   start.w_WO_O = {0.0, 0.0, setup.w0_rad_s};
   world.place_object(start);

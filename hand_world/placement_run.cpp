@@ -5,6 +5,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "grasp_model/rotation.hpp"
+
 namespace isograsp::hand_world {
 
 namespace {
@@ -15,7 +17,7 @@ Pose target_pose(const StudyTarget& target, const Quat& q_WO) noexcept {
   // About its main axis the target is as the object is at first.
   const Vec3 main_W = q_WO * Vec3::UnitZ();
   const Vec3 axis_W = main_W.dot(target.axis_W) < 0.0 ? Vec3(-target.axis_W) : target.axis_W;
-  return {target.p_W, (Quat::FromTwoVectors(main_W, axis_W) * q_WO).normalized()};
+  return {target.p_W, (so3::shortest(main_W, axis_W) * q_WO).normalized()};
 }
 
 bool strayed(const Vec3& p_W, const Vec3& start_W) noexcept {

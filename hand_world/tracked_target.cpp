@@ -48,7 +48,7 @@ std::optional<HandTarget> target_of_frame(const virtual_hand::HandModel& model,
       const Vec3 along = ends - begins;
       if (!(along.norm() > 0.0)) continue;
       const Vec3 fits = X_W.q * -Vec3::UnitZ();
-      X_W.q = (Quat::FromTwoVectors(fits, along) * X_W.q).normalized();
+      X_W.q = (so3::shortest(fits, along) * X_W.q).normalized();
     }
   return target;
 }

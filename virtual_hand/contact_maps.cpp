@@ -24,41 +24,6 @@ bool full_rank(const SixValues& six, int columns) noexcept {
   return six.values[5] > rounding;
 }
 
-template <int kContacts>
-SetFactors factors_of_some(const ContactSet& set, const MapScales& scales) noexcept {
-  constexpr int kRows = kCoordinates * kContacts;
-  using Tall = Eigen::Matrix<double, kRows, 6>;
-  Tall Gt;
-  for (int k = 0; k < kContacts; ++k)
-    Gt.template middleRows<kCoordinates>(kCoordinates * k) =
-        set.contacts[static_cast<std::size_t>(k)]->G.transpose();
-  Gt.template rightCols<3>() /= scales.torque_m;
-  for (int k = 0; k < kContacts; ++k) Gt.row(kCoordinates * k + 3) *= scales.torsion_m;
-  const Eigen::HouseholderQR<Tall> qr(Gt);
-  const Six R = qr.matrixQR().template topRows<6>().template triangularView<Eigen::Upper>();
-  SetFactors factors;
-  factors.G = six_values(R);
-  if (!full_rank(factors.G, kRows)) {
-    factors.G.least = factors.G.product = 0.0;
-    return factors;
-  }
-  // H = (G^T)^+ D J = R^-1 Q^T D J; its transpose is factored.
-  const Tall Q = qr.householderQ() * Tall::Identity();
-  Eigen::Matrix<double, 6, kRows> H;
-  for (int k = 0; k < kContacts; ++k) {
-    Eigen::Matrix4d DJ = set.contacts[static_cast<std::size_t>(k)]->J / scales.hand_m;
-    DJ.row(3) *= scales.torsion_m;
-    H.template middleCols<kCoordinates>(kCoordinates * k) =
-        Q.template middleRows<kCoordinates>(kCoordinates * k).transpose() * DJ;
-  }
-  R.template triangularView<Eigen::Upper>().solveInPlace(H);
-  factors.H = Eigen::HouseholderQR<Tall>(H.transpose())
-                  .matrixQR()
-                  .template topRows<6>()
-                  .template triangularView<Eigen::Upper>();
-  return factors;
-}
-
 }  // namespace
 
 ContactMaps contact_maps(const DigitContact& contact) noexcept {
@@ -107,7 +72,39 @@ SixValues six_values(const Six& R) noexcept {
 }
 
 SetFactors factors_of(const ContactSet& set, const MapScales& scales) noexcept {
-  return set.count == 2 ? factors_of_some<2>(set, scales) : factors_of_some<3>(set, scales);
+  // Contacts that are not there are rows of zeros, which no factor sees.
+  constexpr int kRows = kCoordinates * static_cast<int>(ContactSet::kMost);
+  using Tall = Eigen::Matrix<double, kRows, 6>;
+  const int count = static_cast<int>(set.count);
+  Tall Gt = Tall::Zero();
+  for (int k = 0; k < count; ++k)
+    Gt.middleRows<kCoordinates>(kCoordinates * k) =
+        set.contacts[static_cast<std::size_t>(k)]->G.transpose();
+  Gt.rightCols<3>() /= scales.torque_m;
+  for (int k = 0; k < count; ++k) Gt.row(kCoordinates * k + 3) *= scales.torsion_m;
+  const Eigen::HouseholderQR<Tall> qr(Gt);
+  const Six R = qr.matrixQR().topRows<6>().triangularView<Eigen::Upper>();
+  SetFactors factors;
+  factors.G = six_values(R);
+  if (!full_rank(factors.G, kCoordinates * count)) {
+    factors.G.least = factors.G.product = 0.0;
+    return factors;
+  }
+  // H = (G^T)^+ D J = R^-1 Q^T D J; its transpose is factored.
+  const Tall Q = qr.householderQ() * Tall::Identity();
+  Eigen::Matrix<double, 6, kRows> H = Eigen::Matrix<double, 6, kRows>::Zero();
+  for (int k = 0; k < count; ++k) {
+    Eigen::Matrix4d DJ = set.contacts[static_cast<std::size_t>(k)]->J / scales.hand_m;
+    DJ.row(3) *= scales.torsion_m;
+    H.middleCols<kCoordinates>(kCoordinates * k) =
+        Q.middleRows<kCoordinates>(kCoordinates * k).transpose() * DJ;
+  }
+  R.triangularView<Eigen::Upper>().solveInPlace(H);
+  factors.H = Eigen::HouseholderQR<Tall>(H.transpose())
+                  .matrixQR()
+                  .topRows<6>()
+                  .triangularView<Eigen::Upper>();
+  return factors;
 }
 
 // Coordinates x of a contact: normal force, then tangential forces / mu and torque / its limit per

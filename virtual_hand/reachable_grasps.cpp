@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "core/random.hpp"
+#include "grasp_model/rotation.hpp"
 #include "virtual_hand/capsule.hpp"
 #include "virtual_hand/tip_reach.hpp"
 
@@ -91,7 +92,7 @@ Pose palm_beside(const HandModel& hand, const Vec3& thumb, const Vec3& finger,
   const Vec3 line_W = way.norm() > 0.0 ? Vec3(way.normalized()) : Vec3(Vec3::UnitX());
   const Quat roll(Eigen::AngleAxisd(between(random, -kPi, kPi), line_W));
   const Vec3 tilt(random.gaussian(), random.gaussian(), random.gaussian());
-  Quat q_WP = roll * Quat::FromTwoVectors(line_P, line_W);
+  Quat q_WP = roll * so3::shortest(line_P, line_W);
   q_WP = Quat(Eigen::AngleAxisd(kTilt_rad * tilt.norm(), tilt.normalized())) * q_WP;
   return {0.5 * (thumb + finger) - q_WP * middle_P, q_WP.normalized()};
 }

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 
 #include "bimanual/pads/pad_step.hpp"
 
@@ -40,9 +40,7 @@ struct Tangents {
 /// The bodies, moved by forces between two of them at a time.
 class Bodies {
  public:
-  explicit Bodies(const PadStep& step) : step_s(step.step_s), velocity(step.velocity_free) {
-    for (const Mat6& inertia : step.inertia) inverse.push_back(inertia.inverse());
-  }
+  explicit Bodies(const PadStep& step);
   double step_s;
   std::vector<Vec6> velocity;
   std::vector<Mat6> inverse;

@@ -3,9 +3,15 @@
 
 #include <algorithm>
 
+#include <Eigen/LU>
+
 #include "bimanual/pads/pad_rows.hpp"
 
 namespace isograsp::bimanual {
+
+Bodies::Bodies(const PadStep& step) : step_s(step.step_s), velocity(step.velocity_free) {
+  for (const Mat6& inertia : step.inertia) inverse.push_back(inertia.inverse());
+}
 
 PadSolution solve(const PadStep& step, PadSolver solver, const PadSolution* before) {
   switch (solver) {

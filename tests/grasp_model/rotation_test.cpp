@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/random.hpp"
 #include "tests/grasp_model/support.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/within.hpp"
@@ -47,6 +48,32 @@ TEST(RotationVector, LogarithmMatchesTheGoldenTable) {
     EXPECT_LE(largest(phi - reference),
               5e-16 * row["theta_rad"]);  // 3e-16 and the last printed digit
   }
+}
+
+TEST(RotationVector, TheShortestTurnTakesOneDirectionToTheOtherAboutAnAxisAcrossBoth) {
+  // Rounding of two unit vectors and of the product with a unit quaternion.
+  constexpr double kRounding = 2e-15;
+  Random random(5);
+  const auto direction = [&] {
+    return Vec3(random.gaussian(), random.gaussian(), random.gaussian());
+  };
+  for (int k = 0; k < 20000; ++k) {
+    const Vec3 from = direction();
+    // Any angle, next to none, next to half a turn, and exactly these.
+    const double near = k % 4 == 0 ? 1.0 : std::pow(10.0, -(k % 18)) * (k % 5 != 0);
+    const Vec3 to =
+        (k % 3 == 0 ? -1.0 : 1.0) * from * (k % 4 == 0 ? 0.0 : 1e3) + near * direction();
+    const Quat q = shortest(from, to);
+    EXPECT_WITHIN(q.norm(), 1.0, kRounding);
+    EXPECT_GE(q.w(), 0.0);
+    EXPECT_LE(largest(q * from.normalized() - to.normalized()), kRounding) << k;
+    EXPECT_LE(std::abs(q.vec().dot(from.normalized())), kRounding) << k;
+    EXPECT_LE(std::abs(q.vec().dot(to.normalized())), kRounding) << k;
+  }
+  EXPECT_EQ(shortest(Vec3::UnitY(), 3.0 * Vec3::UnitY()).coeffs(), Quat::Identity().coeffs());
+  EXPECT_EQ(shortest(Vec3::UnitY(), -Vec3::UnitY()).w(), 0.0);
+  EXPECT_WITHIN(shortest(1e-200 * Vec3::UnitX(), 1e200 * Vec3::UnitY()).w(), std::sqrt(0.5),
+                kRounding);
 }
 
 TEST(RotationVector, JacobianAndItsInverseUndoEachOther) {

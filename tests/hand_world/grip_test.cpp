@@ -2,6 +2,7 @@
 // A hand that grips: laws first, then the hard cases.
 #include <gtest/gtest.h>
 
+#include "grasp_model/rotation.hpp"
 #include "hand_world/tracked_target.hpp"
 #include "tests/hand_world/support.hpp"
 #include "tests/support/every.hpp"
@@ -298,7 +299,7 @@ TEST(HardCases, AFistAroundAThinRodAndARodAlongAFingerStayCalm) {
                                : Vec3(closed.digit(Digit::little).joints[2] - index.joints[2]);
     motion.X_WO.p = coaxial ? Vec3(0.5 * (index.joints[0] + index.joints[1]))
                             : Vec3(closed.digit(Digit::middle).joints[2]);
-    motion.X_WO.q = Quat::FromTwoVectors(Vec3::UnitZ(), along);
+    motion.X_WO.q = so3::shortest(Vec3::UnitZ(), along);
     world.place_object(motion);
     const HandTarget target = still_target(closed);
     double fastest_m_s = 0.0;

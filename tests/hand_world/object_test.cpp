@@ -2,6 +2,7 @@
 // An object without a hand: in the air, on springs, on a table.
 #include <gtest/gtest.h>
 
+#include "grasp_model/rotation.hpp"
 #include "hand_world/experiments.hpp"
 #include "tests/hand_world/support.hpp"
 #include "tests/support/every.hpp"
@@ -126,7 +127,7 @@ TEST(ObjectOnTable, StandsForAMinuteWithoutCreepingOnASlopeOfGravity) {
     ObjectMotion motion;
     const bool cylinder = body.shape.kind == ObjectShape::Kind::cylinder;
     motion.X_WO.p.y() = cylinder ? body.shape.half_m.z() : body.shape.half_m.y();
-    if (cylinder) motion.X_WO.q = Quat::FromTwoVectors(Vec3::UnitZ(), Vec3::UnitY());
+    if (cylinder) motion.X_WO.q = so3::shortest(Vec3::UnitZ(), Vec3::UnitY());
     world.place_object(motion);
     for (int k = 0; k < 1000; ++k) world.step(kStep_s);
     const Vec3 settled = world.object().motion().X_WO.p;

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "core/random.hpp"
+#include "grasp_model/rotation.hpp"
 #include "kinematics/attitude.hpp"
 #include "virtual_patient/hand/grip_shapes.hpp"
 #include "virtual_patient/hand/hand_movement.hpp"
@@ -94,7 +95,7 @@ Quat aligned(const Quat& q_WO, const Quat& q_WT) noexcept {
   const Vec3 is = q_WO * Vec3::UnitZ();
   Vec3 wanted = q_WT * Vec3::UnitZ();
   if (is.dot(wanted) < 0.0) wanted = -wanted;
-  return (Quat::FromTwoVectors(is, wanted) * q_WO).normalized();
+  return (so3::shortest(is, wanted) * q_WO).normalized();
 }
 
 Vec3 normal_vector(Random& random, double sd) noexcept {

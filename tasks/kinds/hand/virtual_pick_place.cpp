@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "grasp_model/rotation.hpp"
 #include "tasks/kinds/tools/of_kind.hpp"
 #include "tasks/pace.hpp"
 #include "tasks/read_keys.hpp"
@@ -112,7 +113,7 @@ class VirtualPickPlace final : public Task {
     const auto& target =
         virtual_hand::targets_of(virtual_hand::study_objects()[object_].size)[asked.item.target];
     X_WT_ = {target.p_W + Vec3(0.0, spec_.table_m, 0.0),
-             Quat::FromTwoVectors(Vec3::UnitZ(), target.axis_W)};
+             so3::shortest(Vec3::UnitZ(), target.axis_W)};
     watch_ = virtual_hand::PlacementWatch(spec_.rule());
     seen_s_ = 0.0;
     frames_before_ = hand.frames;

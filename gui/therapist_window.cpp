@@ -340,9 +340,13 @@ void TherapistWindow::refresh() {
   device_words_->setText(device_words_->fontMetrics().elidedText(words, Qt::ElideRight,
                                                                  device_words_->maximumWidth()));
   device_words_->setToolTip(words);
-  device_words_->setAccessibleName(
-      (view.start_posture ? tr("Cameras: %1") : tr("Device: %1")).arg(words));
-  name_tab(Page::device, view.start_posture ? tr("Cameras") : tr("Device"));
+  device_words_->setAccessibleName((view.start_posture ? tr("Cameras: %1")
+                                    : view.hand_entry  ? tr("Tracker: %1")
+                                                       : tr("Device: %1"))
+                                       .arg(words));
+  name_tab(Page::device, view.start_posture ? tr("Cameras")
+                         : view.hand_entry  ? tr("Tracker")
+                                            : tr("Device"));
 }
 
 /// While nobody is in, the login stands in the place of everything else, and no key but that which

@@ -12,6 +12,7 @@
 #include "session/platform/force_platform.hpp"
 #include "session/platform/prepare_trial.hpp"
 #include "session/simulated_person.hpp"
+#include "session/tracked_hand/tracked_hand.hpp"
 
 namespace isograsp::session {
 
@@ -141,15 +142,15 @@ Text why_not_shown(const tasks::TaskSpec& spec) {
   // Markers alone are looked at: of what is done with them nothing is on the screen.
   if (spec.kind->markers != nullptr)
     return "It is done with a real thing, of which the screen shows nothing: show it yourself."_text;
+  if (spec.apparatus() == TrackedHand::kKind)
+    return "It is done before a tracker: show it with your own hand."_text;
   return {};
 }
 
 Result<Demonstration> demonstrate(const tasks::TaskSpec& spec, const DemonstrationFor& whom,
                                   const std::string& library) {
-  if (!why_not_shown(spec).empty())
-    return refused("is done with a real thing, of which the screen shows nothing"_text,
-                   "show it yourself"_text)
-        .at(spec.file);
+  if (const Text why = why_not_shown(spec); !why.empty())
+    return refused("cannot be shown on a screen"_text, why).at(spec.file);
   return spec.apparatus() == MarkerArm::kKind ? by_arm(spec, whom, library)
                                               : by_hand(spec, whom, library);
 }

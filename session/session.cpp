@@ -100,6 +100,9 @@ void Session::pause() {
 void Session::resume() {
   (void)parts_->send({.kind = Command::Kind::resume});
 }
+void Session::let_go() {
+  (void)parts_->send({.kind = Command::Kind::let_go});
+}
 void Session::abort(Words reason) {
   (void)parts_->send({.kind = Command::Kind::abort, .reason = reason});
 }

@@ -16,6 +16,7 @@ namespace isograsp::gui {
 /// Kinds of apparatus (session/acquisition/apparatus.hpp) that these windows tell apart.
 inline constexpr std::string_view kArm = "arm";
 inline constexpr std::string_view kPlatform = "platform";
+inline constexpr std::string_view kTrackedHand = "tracked_hand";
 
 struct SessionLibrary {
   std::vector<tasks::TaskSpec> tasks;             ///< in the order of the list

@@ -68,6 +68,9 @@ session::SessionConfig Connecting::session_config(bool clock_is_right) const {
   if (state_.measures_arm()) {
     config.allowed = choices.today.arm_screening.allowed;
     config.answers = stored(choices.today.arm_screening);
+  } else if (state_.measures_hand()) {
+    config.allowed = allowed(choices.today.hand_screening);
+    config.answers = stored(choices.today.hand_screening);
   } else {
     config.allowed = choices.today.screening.allowed;
     config.ceiling_N = choices.today.screening.ceiling_N;
@@ -111,7 +114,7 @@ void Connecting::begin(std::unique_ptr<session::Session> session, const Presenta
   const bool numb_skin = choices.today.screening.applies[static_cast<std::size_t>(Caution::skin)];
   const bool rests = !session->known().apparatus.recorded &&
                      session->known().asks_for(session::PreparationStep::rest);
-  const auto task = session->known().arm
+  const auto task = session->known().arm || session->known().apparatus.kind == kTrackedHand
                         ? std::nullopt
                         : first_task(state_.library.tasks, rests ? is_rest : is_free_handling);
   state_.left = {};

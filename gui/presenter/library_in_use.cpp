@@ -13,18 +13,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The protocols that are proposed at first, of platform and arm.
-constexpr std::array<const char*, 2> kUsualProtocols{"battery", "arm_assessment"};
+/// The protocols that are proposed at first, of platform, arm and tracked hand.
+constexpr std::array<const char*, 3> kUsualProtocols{"battery", "arm_assessment",
+                                                     "hand_assessment"};
 
 std::optional<int> place_of_usual(const std::vector<session::ReadyProtocol>& protocols) {
   for (std::size_t i = 0; i < protocols.size(); ++i)
     for (const char* const usual : kUsualProtocols)
       if (fs::path(protocols[i].spec.file).stem() == usual) return static_cast<int>(i);
   return std::nullopt;
-}
-
-bool is_of_arm(const tasks::TaskSpec& spec) {
-  return spec.apparatus() == kArm;
 }
 
 }  // namespace
@@ -79,7 +76,11 @@ void LibraryInUse::keep_tasks(const SessionLibrary& before) {
     if (task)
       task =
           place_of_file(state_.library.tasks, before.tasks[static_cast<std::size_t>(*task)].file);
-    if (!task) task = first_task(state_.library.tasks, state_.measures_arm() ? is_of_arm : is_rest);
+    if (task) return;
+    const bool is_seen = state_.measures_arm() || state_.measures_hand();
+    task = first_task(state_.library.tasks, [&](const tasks::TaskSpec& spec) {
+      return is_seen ? spec.apparatus() == apparatus_ : is_rest(spec);
+    });
   };
   keep(state_.choices.task);
   if (state_.open) keep(state_.open->work.task);

@@ -51,6 +51,7 @@ void SessionChoices::choose_hand(Hand hand) {
   if (today.hand != hand) {  // its outcome is that of one hand
     today.screening = {};
     today.arm_screening = {};
+    today.hand_screening = {};
   }
   today.hand = hand;
   today.hand_confirmed = false;
@@ -76,6 +77,13 @@ void SessionChoices::answer_screening(const ArmScreening& answers) {
   if (state_.busy() || answers == state_.choices.today.arm_screening) return;
   state_.connection.failure.reset();
   state_.choices.today.arm_screening = answers;
+  flow_.update();
+}
+
+void SessionChoices::answer_screening(const HandScreening& answers) {
+  if (state_.busy() || answers == state_.choices.today.hand_screening) return;
+  state_.connection.failure.reset();
+  state_.choices.today.hand_screening = answers;
   flow_.update();
 }
 

@@ -23,6 +23,7 @@ class SessionChoices final : public QObject {
   void confirm_hand();
   void answer_screening(const Screening& answers);
   void answer_screening(const ArmScreening& answers);
+  void answer_screening(const HandScreening& answers);
   void choose_device(const std::string& uri);
   /// Place in the library; nothing: tasks are chosen one by one.
   void choose_protocol(std::optional<int> place);

@@ -7,6 +7,7 @@
 #include "gui/presenter/next_words.hpp"
 #include "gui/words/texts.hpp"
 #include "session/demonstration.hpp"
+#include "tasks/kinds/hand/virtual_pick_place.hpp"
 
 namespace isograsp::gui {
 
@@ -37,6 +38,14 @@ void add_camera_facts(const session::ArmSnapshot& now, FlowFacts& facts) {
   facts.health.state = now.health.state;
   facts.camera_fault = now.health.fault;
   facts.at_rest = now.picture && !stops_markers(now.health.fault);
+}
+
+void add_tracker_facts(const session::HandSnapshot& now, FlowFacts& facts) {
+  facts.health.state = now.health.state;
+  facts.hand_fault = now.health.fault;
+  facts.at_rest = !stops_hand(now.health.fault);
+  facts.entry = now.entry;
+  facts.object_there = now.grasp.object_there && !now.grasp.helped;
 }
 
 }  // namespace
@@ -88,8 +97,9 @@ FlowFacts SessionFlow::facts() const {
   facts.patient_chosen = !choices.patient.empty();
   facts.hand_to_confirm = hand_to_confirm();
   facts.hand_chosen = choices.today.hand && !facts.hand_to_confirm;
-  facts.screened = state_.measures_arm() ? choices.today.arm_screening.complete()
-                                         : choices.today.screening.complete();
+  facts.screened = state_.measures_arm()    ? choices.today.arm_screening.complete()
+                   : state_.measures_hand() ? choices.today.hand_screening.complete()
+                                            : choices.today.screening.complete();
   facts.earlier_sought = choices.interrupted.sought;
   facts.earlier_undecided = choices.interrupted.acts.has_value() && !choices.interrupted.go_on;
   facts.device_chosen = !choices.device_uri.empty();
@@ -97,7 +107,8 @@ FlowFacts SessionFlow::facts() const {
   if (state_.connection.failure) facts.connection_error = state_.connection.failure->words;
   facts.recorded = state_.recorded();
   facts.start_posture = state_.measures_arm();
-  facts.asks_rest = !facts.start_posture;  // until the device says it itself
+  facts.hand_entry = state_.measures_hand();
+  facts.asks_rest = !facts.is_seen();  // until the device says it itself
   if (state_.open) add_session_facts(*state_.open, facts);
   add_task_facts(facts);
   return facts;
@@ -117,8 +128,9 @@ void SessionFlow::add_session_facts(const OpenSession& open, FlowFacts& facts) c
   facts.at_rest = open.trial && open.trial->rest_watch.at_rest();
   facts.health = now.health;
   if (open.arm) add_camera_facts(*open.arm, facts);
+  if (open.hand) add_tracker_facts(*open.hand, facts);
   facts.asks_zero =
-      open.session->known().asks_for(session::PreparationStep::zero) || facts.start_posture;
+      open.session->known().asks_for(session::PreparationStep::zero) || facts.is_seen();
   facts.asks_rest = open.session->known().asks_for(session::PreparationStep::rest);
   facts.zeroed = now.zeroed;
   facts.restarted = now.restarted;
@@ -152,6 +164,7 @@ void SessionFlow::add_task_facts(FlowFacts& facts) const {
   facts.task_chosen = spec != nullptr;
   if (spec == nullptr) return;
   facts.task_rests = is_rest(*spec) && facts.asks_rest;
+  facts.task_needs_entry = spec->kind.get_if<tasks::VirtualPickPlaceSpec>() != nullptr;
   facts.task_not_shown = session::why_not_shown(*spec);
   facts.task_name = spec->name;
   if (open) facts.task_lacks = open->work.task_lacks;

@@ -24,6 +24,8 @@ std::optional<DeviceFaultSeen> fault_of(const OpenSession& open) {
   const double t_s = open.snapshot.session_time_s;
   if (open.arm && open.arm->health.fault != MarkerFault::none)
     return DeviceFaultSeen{t_s, words_of(open.arm->health.fault)};
+  if (open.hand && open.hand->health.fault != HandFault::none)
+    return DeviceFaultSeen{t_s, words_of(open.hand->health.fault)};
   const DeviceHealth& health = open.snapshot.health;
   if (health.fault == DeviceFault::none) return std::nullopt;
   return DeviceFaultSeen{t_s, words_of(health.fault, health.finger)};
@@ -90,7 +92,7 @@ void SessionPresenter::look_at_device(const std::optional<DeviceFaultSeen>& befo
   SessionTraces& traces = state_.open->traces;
   const auto fault = fault_of(*state_.open);
   if (fault && !(before && before->words == fault->words)) traces.faults.push_back(*fault);
-  if (!state_.open->arm) traces.forces.add(now);
+  if (!state_.open->arm && !state_.open->hand) traces.forces.add(now);
   traces.worst_lateness_s = std::max(traces.worst_lateness_s, now.lateness_s);
 }
 

@@ -29,13 +29,19 @@ Result<tasks::TaskSpec> Work::at_chosen_level(const tasks::TaskSpec& spec) const
 }
 
 void OpenSession::look() {
+  if (const session::HandSnapshot* const seen = session::hand_of(*session)) {
+    hand = *seen;
+    static_cast<session::Moment&>(snapshot) = *seen;  // one frame, not two
+    traces.tracker.add(*seen);
+    return;
+  }
   const session::ArmSnapshot* const newest = session::arm_of(*session);
   if (newest == nullptr) {
     snapshot = session->snapshot();
     return;
   }
   arm = *newest;
-  static_cast<session::Moment&>(snapshot) = *newest;  // one frame, not two
+  static_cast<session::Moment&>(snapshot) = *newest;
   still.add(*arm);
   traces.markers.add(*arm);
   traces.practice.add(*arm, trial && trial->practice);
@@ -44,6 +50,10 @@ void OpenSession::look() {
 
 bool SessionState::measures_arm() const noexcept {
   return open ? open->arm_space != nullptr : choices.apparatus == kArm;
+}
+
+bool SessionState::measures_hand() const noexcept {
+  return (open ? open->session->known().apparatus.kind : choices.apparatus) == kTrackedHand;
 }
 
 bool SessionState::simulated() const noexcept {

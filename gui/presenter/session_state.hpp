@@ -22,6 +22,8 @@
 #include "gui/rules/arm_screening.hpp"
 #include "gui/rules/arm_space.hpp"
 #include "gui/rules/flow.hpp"
+#include "gui/rules/hand_live.hpp"
+#include "gui/rules/hand_screening.hpp"
 #include "gui/rules/picture_check.hpp"
 #include "gui/rules/practice_clock.hpp"
 #include "gui/rules/presentation.hpp"
@@ -31,6 +33,7 @@
 #include "session/compensation.hpp"
 #include "session/rest_watch.hpp"
 #include "session/session.hpp"
+#include "session/tracked_hand/hand_snapshot.hpp"
 #include "session/work_limits.hpp"
 
 namespace isograsp::gui {
@@ -53,7 +56,8 @@ struct Choices {
     std::optional<Hand> hand;
     bool hand_confirmed = false;  ///< by a press
     Screening screening;
-    ArmScreening arm_screening;  ///< of an arm seen by cameras, in its place
+    ArmScreening arm_screening;    ///< of an arm seen by cameras, in its place
+    HandScreening hand_screening;  ///< of a tracked hand, in its place
   } today;
 
   /// A protocol that was interrupted today, for all that is chosen above.
@@ -90,6 +94,7 @@ struct SessionTraces {
   MarkerHistory markers{};
   LinkTurns turns{};                    ///< of an arm, since its target appeared
   PracticeClock practice{};             ///< of an arm, in this session
+  TrackerWatch tracker{};               ///< of a hand
   std::vector<DeviceFaultSeen> faults;  ///< oldest first
   double worst_lateness_s = 0.0;
   std::optional<session::TrialOutcome> last_trial;
@@ -181,9 +186,10 @@ struct OpenSession {
 
   std::unique_ptr<session::Session> session;
   Timestamp opened;
-  session::Snapshot snapshot;                 ///< of an arm: what every session has
-  std::optional<session::ArmSnapshot> arm;    ///< nothing: it is no arm, or nothing has come
+  session::Snapshot snapshot;               ///< of an arm or a tracked hand: what every session has
+  std::optional<session::ArmSnapshot> arm;  ///< nothing: it is no arm, or nothing has come
   std::shared_ptr<const ArmSpace> arm_space;  ///< null: it is no arm
+  std::optional<session::HandSnapshot> hand;  ///< nothing: it is no tracked hand, or as above
   StillWatch still;
   PictureCheck picture_check;
   Preparation preparation;
@@ -226,6 +232,8 @@ struct SessionState {
 
   /// An arm seen by cameras is connected, or chosen.
   [[nodiscard]] bool measures_arm() const noexcept;
+  /// A tracker that sees a hand is.
+  [[nodiscard]] bool measures_hand() const noexcept;
 
   // Of the session that is open; else as if nothing had happened yet.
   [[nodiscard]] const session::Snapshot& snapshot() const noexcept;

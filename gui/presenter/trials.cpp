@@ -61,7 +61,8 @@ Result<void> Trials::begin(const tasks::TaskSpec& spec, bool practice,
                            std::optional<storage::TrialPlace> place) {
   example_.stop();
   OpenSession& open = *state_.open;
-  open.preparation.zero_refusal = {};
+  // A hand that its entry test bars stays barred until the next one.
+  if (!open.hand) open.preparation.zero_refusal = {};
   open.preparation.zero_only_changed = false;
   const tasks::TaskContext context = open.session->known().next_context();
   if (auto started = open.session->start_trial(spec, practice, place); !started) return started;
@@ -78,7 +79,8 @@ void Trials::prepare_picture(const tasks::TaskSpec& spec, const tasks::TaskConte
   RunningTrial& trial = *state_.open->trial;
   trial.task = std::make_shared<tasks::TaskSpec>(spec);
   trial.preview = std::make_shared<TargetPreview>(preview_target(spec, context));
-  if (state_.open->arm_space != nullptr) return;  // what is moved is real
+  // What an arm moves is real, what a tracked hand moves comes with its frames.
+  if (state_.open->arm_space != nullptr || state_.measures_hand()) return;
   const session::Session& session = *state_.open->session;
   // The session has just read the same file: a failure here would have been refused there.
   auto read = session::read_trial_scene(spec, session.known().record.hand.value_or(Hand::right),
@@ -98,6 +100,10 @@ void Trials::resume() {
 
 void Trials::stop() {
   if (flow_.view().may_stop) state_.open->session->abort();
+}
+
+void Trials::let_go() {
+  if (flow_.view().may_let_go) state_.open->session->let_go();
 }
 
 void Trials::start_pause_resume() {

@@ -22,6 +22,7 @@ class Trials {
   void pause();
   void resume();
   void stop();
+  void let_go();              ///< the object on the screen, for the hand: helped, no drop
   void start_pause_resume();  ///< what the one large key does, by the state
   void repeat();              ///< the last trial once more, beside the protocol
 

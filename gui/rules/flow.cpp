@@ -18,6 +18,7 @@ FlowView judge(const FlowFacts& facts) {
   if (view.device_speaks) view.mood = Mood::attention;
   view.device_known = facts.device_chosen || facts.connection != Connection::none;
   view.start_posture = facts.start_posture;
+  view.hand_entry = facts.hand_entry;
   view.steps = steps_of(facts, view.situation, view.device);
   decide_acts(facts, view);
   return view;

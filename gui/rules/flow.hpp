@@ -11,6 +11,7 @@
 
 #include "device/cameras/marker_device.hpp"
 #include "session/platform/snapshot.hpp"
+#include "session/tracked_hand/hand_snapshot.hpp"
 
 namespace isograsp::gui {
 
@@ -71,6 +72,14 @@ struct FlowFacts {
   /// is said here of a zero is said of that. A recording asks for it, too.
   bool start_posture = false;
   MarkerFault camera_fault = MarkerFault::none;
+  /// It is a tracker that sees a hand: what it asks for is the entry test, and all that is said
+  /// here of a zero is said of that. A recording asks for it, too.
+  bool hand_entry = false;
+  HandFault hand_fault = HandFault::none;
+  std::optional<session::EntryShown> entry;  ///< while that test runs
+  bool object_there = false;  ///< on the screen, for the hand; not one that was let go for it
+  /// Virtual objects are for a hand that has passed it; its other tasks are for every hand.
+  bool task_needs_entry = false;
   bool asks_rest = true;  ///< and for a hand that rests in it
   bool zeroed = false;
   std::optional<Finger> restarted;  ///< whose sensor started anew after that zero
@@ -97,6 +106,9 @@ struct FlowFacts {
   std::string task_lacks;  ///< a force that the task is scaled to and that was not measured: why
   /// Of the last trial in this session, which may be repeated; nothing: there was none.
   std::optional<bool> last_rested;
+
+  /// Cameras see an arm or a hand: nobody holds a device.
+  [[nodiscard]] bool is_seen() const noexcept { return start_posture || hand_entry; }
 };
 
 /// Age of the newest frame from which nothing is believed to arrive any more [s]. Single silent
@@ -203,6 +215,7 @@ struct FlowView {
   std::array<StepState, kStepCount> steps{};
   bool device_known = false;   ///< what measures is chosen, or connected
   bool start_posture = false;  ///< it is cameras that see an arm: Step::zero is its start posture
+  bool hand_entry = false;     ///< it is a tracker of a hand: Step::zero is its entry test
   std::string sentence;        ///< state and next step, in plain words
   Mood mood = Mood::off;       ///< of the whole
   Mood device_mood = Mood::off;
@@ -232,6 +245,7 @@ struct FlowView {
   /// looked at, the therapist says that work goes on.
   bool must_stand_by = false;
   bool may_resume = false;
+  bool may_let_go = false;  ///< of the object on the screen, for the hand
   bool may_stop = false;
   bool offers_end = false;  ///< the work is done: report and disconnecting are at hand
   std::string start_hint;   ///< why Start is not possible, or what it starts

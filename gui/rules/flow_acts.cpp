@@ -74,9 +74,9 @@ void decide_between_trials(const FlowFacts& facts, bool sound, FlowView& view) {
   const bool ready = quiet && sound;
   const bool zero = has_zero(facts);
   const bool live = ready && !facts.recorded;
-  view.may_zero = (live || (ready && facts.start_posture)) && facts.asks_zero;
+  view.may_zero = (live || (ready && facts.is_seen())) && facts.asks_zero;
   view.may_accept_changed = view.may_zero && facts.zero_only_changed;
-  view.may_check = view.may_zero && !facts.start_posture;
+  view.may_check = view.may_zero && !facts.is_seen();
   view.may_strap = live && facts.asks_rest && zero && (!facts.strapped || facts.straps_due);
   view.may_choose_task = !in_trial(facts) && !facts.starting && !facts.zero_asked;
   view.may_show_how = view.may_choose_task && facts.task_chosen && facts.task_not_shown.empty() &&
@@ -88,7 +88,7 @@ void decide_between_trials(const FlowFacts& facts, bool sound, FlowView& view) {
   view.may_begin = ready && obstacle_of(facts) == Obstacle::none;
   view.may_start = view.may_begin || (ready && may_arm(facts));
   view.may_repeat =
-      ready && zero && facts.last_rested &&
+      ready && (zero || facts.hand_entry) && facts.last_rested &&
       (!*facts.last_rested || facts.recorded || (facts.strapped && facts.settling_s == 0));
   view.may_skip = quiet && facts.protocol.active && facts.protocol.act != ProtocolFacts::Act::none;
   view.may_stand_by = quiet && facts.protocol.active && facts.protocol.goes_on;
@@ -99,7 +99,7 @@ void decide_between_trials(const FlowFacts& facts, bool sound, FlowView& view) {
 Obstacle obstacle_of(const FlowFacts& facts) {
   if (facts.connection != Connection::open) return Obstacle::no_device;
   if (facts.stage == session::Stage::finished) return Obstacle::recording_over;
-  if (!has_zero(facts)) return Obstacle::no_zero;
+  if (!has_zero(facts) && !may_do_without_entry(facts)) return Obstacle::no_zero;
   if (facts.stage == session::Stage::zeroing || facts.zero_asked) return Obstacle::zeroing;
   if (in_trial(facts)) return Obstacle::trial_runs;
   const auto& protocol = facts.protocol;
@@ -130,6 +130,7 @@ void decide_acts(const FlowFacts& facts, FlowView& view) {
                        !facts.zero_refusal.empty();
   view.may_pause = open && facts.stage == session::Stage::trial;
   view.may_resume = open && facts.stage == session::Stage::paused && sound && may_go_on(facts);
+  view.may_let_go = view.may_pause && facts.object_there;
   view.may_stop = open && in_trial(facts);
   view.offers_end = view.may_disconnect && ends_here(view.situation);
   view.press = press_for(view.situation, facts, view);

@@ -10,13 +10,17 @@ bool in_trial(const FlowFacts& facts) {
 
 session::ZeroStanding zero_of(const FlowFacts& facts) {
   if (!facts.asks_zero) return session::ZeroStanding::good;
-  if (facts.start_posture)
+  if (facts.is_seen())
     return facts.zeroed ? session::ZeroStanding::good : session::ZeroStanding::missing;
   return session::standing_of_zero(facts.recorded, facts.zeroed, facts.restarted.has_value());
 }
 
 bool has_zero(const FlowFacts& facts) {
   return zero_of(facts) == session::ZeroStanding::good;
+}
+
+bool may_do_without_entry(const FlowFacts& facts) {
+  return facts.hand_entry && !facts.task_needs_entry;
 }
 
 bool may_go_on(const FlowFacts& facts) {
@@ -45,7 +49,8 @@ DeviceCondition condition_of(const FlowFacts& facts) {
   const bool answered = facts.health.fault == DeviceFault::restarted &&
                         (zeroing || (has_zero(facts) && !facts.recorded));
   if (facts.health.fault != DeviceFault::none && !answered) return Condition::degraded;
-  if (facts.camera_fault != MarkerFault::none) return Condition::degraded;
+  if (facts.camera_fault != MarkerFault::none || facts.hand_fault != HandFault::none)
+    return Condition::degraded;
   if (facts.stage == session::Stage::paused &&
       facts.pause_cause == session::PauseCause::missing_samples)
     return Condition::gap;

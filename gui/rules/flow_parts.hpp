@@ -2,6 +2,8 @@
 // Inside gui/rules/ only: what a view of the flow is put together from.
 #pragma once
 
+#include <QString>
+
 #include "gui/rules/flow.hpp"
 #include "session/platform/zeroing.hpp"
 
@@ -12,6 +14,8 @@ namespace isograsp::gui {
 [[nodiscard]] session::ZeroStanding zero_of(const FlowFacts& facts);
 /// It is good.
 [[nodiscard]] bool has_zero(const FlowFacts& facts);
+/// What is chosen is nothing with virtual objects: it is measured of a hand without its entry test.
+[[nodiscard]] bool may_do_without_entry(const FlowFacts& facts);
 /// A trial that the therapist has paused goes on as it stands. After a fault, or the restart of a
 /// sensor during that pause: from rest only, and with a zero that has not moved; before cameras: as
 /// soon as they send pictures again. Out of sight: by itself.
@@ -52,5 +56,11 @@ enum class Obstacle : std::uint8_t {
 /// All that `view` says may or must be done, and the one thing to press; from its situation and the
 /// mood of its device.
 void decide_acts(const FlowFacts& facts, FlowView& view);
+
+// flow_hand_words.cpp: of a tracked hand, where they differ from those of forces; empty: they do
+// not
+[[nodiscard]] QString hand_device_words(const FlowFacts& facts, DeviceCondition condition);
+[[nodiscard]] QString hand_words(Situation situation, const FlowFacts& facts);
+[[nodiscard]] QString hand_hint(const FlowFacts& facts, Obstacle obstacle);
 
 }  // namespace isograsp::gui

@@ -42,11 +42,17 @@ Situation by_hand(const FlowFacts& facts) {
   return facts.maximum_attempts < 2 ? Situation::next_maximum : Situation::choose_task;
 }
 
+/// The entry test bars the hand from virtual objects, not from what comes next in the protocol.
+bool does_without(const FlowFacts& facts) {
+  return !facts.zero_refusal.empty() && facts.protocol.active &&
+         facts.protocol.act == ProtocolFacts::Act::trial && may_do_without_entry(facts);
+}
+
 Situation between_trials(const FlowFacts& facts) {
   if (facts.starting) return Situation::starting;
-  if ((!facts.recorded || facts.start_posture) && !facts.zero_refusal.empty())
+  if ((!facts.recorded || facts.is_seen()) && !facts.zero_refusal.empty() && !does_without(facts))
     return Situation::zero_refused;
-  if (!has_zero(facts)) {
+  if (!has_zero(facts) && !does_without(facts)) {
     if (!facts.stop_reason.empty()) return Situation::stop_work;  // nobody comes back for it
     return zero_of(facts) == session::ZeroStanding::outdated ? Situation::zero_outdated
                                                              : Situation::zero_missing;
@@ -68,8 +74,8 @@ Situation in_session(const FlowFacts& facts, DeviceCondition condition) {
     case session::Stage::paused:
       if (session::goes_on_by_itself(facts.pause_cause)) return Situation::goes_on_by_itself;
       if (facts.pause_cause == session::PauseCause::therapist)
-        return facts.start_posture || may_go_on(facts) ? Situation::paused : Situation::let_go;
-      if (facts.start_posture) return Situation::paused_by_fault;  // nobody holds a device
+        return facts.is_seen() || may_go_on(facts) ? Situation::paused : Situation::let_go;
+      if (facts.is_seen()) return Situation::paused_by_fault;  // nobody holds a device
       return facts.health.fault == DeviceFault::none && !facts.at_rest ? Situation::let_go
                                                                        : Situation::paused_by_fault;
     case session::Stage::idle:

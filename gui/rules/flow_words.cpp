@@ -45,6 +45,7 @@ QString camera_words(const FlowFacts& facts, DeviceCondition condition) {
 QString device_words(const FlowFacts& facts, DeviceCondition condition) {
   using Condition = DeviceCondition;
   if (const auto words = camera_words(facts, condition); !words.isEmpty()) return words;
+  if (const auto words = hand_device_words(facts, condition); !words.isEmpty()) return words;
   switch (condition) {
     case Condition::absent: return FlowTexts::tr("Not connected");
     case Condition::failed: return QString::fromStdString(facts.connection_error);
@@ -237,7 +238,8 @@ QString words_in_session(Situation situation, const FlowFacts& facts, const Flow
 }
 
 QString words_for_situation(const FlowFacts& facts, const FlowView& view) {
-  const auto before = words_before_session(view.situation, facts);
+  const auto of_hand = hand_words(view.situation, facts);
+  const auto before = of_hand.isEmpty() ? words_before_session(view.situation, facts) : of_hand;
   const auto words = before.isEmpty() ? words_in_session(view.situation, facts, view) : before;
   const auto device = QString::fromStdString(view.device_words);
   return view.device_speaks ? QStringLiteral("%1 %2").arg(device, words) : words;
@@ -246,6 +248,7 @@ QString words_for_situation(const FlowFacts& facts, const FlowView& view) {
 /// Why no trial can begin at this moment; empty: it can.
 QString hint_of(const FlowFacts& facts) {
   const Obstacle obstacle = obstacle_of(facts);
+  if (const auto words = hand_hint(facts, obstacle); !words.isEmpty()) return words;
   if (facts.start_posture && obstacle == Obstacle::zeroing)
     return FlowTexts::tr("Wait until the start posture is measured.");
   if (facts.start_posture && (obstacle == Obstacle::no_zero || obstacle == Obstacle::zero_again))

@@ -195,7 +195,7 @@ ZeroForm::ZeroForm(SessionPresenter& presenter, QWidget* parent)
 
 void ZeroForm::refresh() {
   const auto& view = presenter_.flow().view();
-  show_part(*this, !view.start_posture);
+  show_part(*this, !view.start_posture && !view.hand_entry);
   zero_->setEnabled(view.may_zero);
   mark_next(*zero_, view.press == NextPress::zero);
   mark_next(*confirmed_, view.press == NextPress::zero);

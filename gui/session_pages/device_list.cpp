@@ -54,6 +54,14 @@ std::vector<DeviceChoice> list_devices(const std::string& preset,
       {text(DeviceListTexts::tr("Simulated arm, healthy")), "sim://arm?patient=healthy&seed=7"});
   choices.push_back(
       {text(DeviceListTexts::tr("Simulated arm, paretic")), "sim://arm?patient=paretic&seed=7"});
+  choices.push_back(
+      {text(DeviceListTexts::tr("Hand, seen by the Leap service here")), "leap://127.0.0.1"});
+  choices.push_back(
+      {text(DeviceListTexts::tr("Hand, sent by a script here")), "udp-hand://127.0.0.1:6440"});
+  choices.push_back({text(DeviceListTexts::tr("Simulated tracked hand, healthy")),
+                     "sim://hand?user=healthy&seed=7"});
+  choices.push_back({text(DeviceListTexts::tr("Simulated tracked hand, paretic")),
+                     "sim://hand?user=paretic&seed=7"});
   if (preset.empty()) return choices;
   const auto known = std::find_if(choices.begin(), choices.end(),
                                   [&](const DeviceChoice& c) { return c.uri == preset; });

@@ -38,12 +38,12 @@ QString words_of(const Counter& counter) {
   return DevicePage::tr(counter.title);
 }
 
-QString details_of(const DeviceInfo& info, bool is_arm) {
+QString details_of(const DeviceInfo& info, bool is_seen) {
   QStringList lines{translated(info.description)};
   lines += DevicePage::tr("%1 samples per second, delay %L2 ms")
                .arg(1.0 / info.sample_period_s, 0, 'f', 0)
                .arg(info.delay_s * 1e3, 0, 'f', 1);
-  if (is_arm) return lines.join(QLatin1Char('\n'));
+  if (is_seen) return lines.join(QLatin1Char('\n'));
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     const auto& serial = info.serial_numbers[f];
     lines += DevicePage::tr("%1: serial number %2, up to %3 N, one count is %L4 N")
@@ -201,15 +201,18 @@ void DevicePage::refresh() {
   words_->setText(QString::fromStdString(view.device_words));
   const auto* info = presenter_.state().device();
   const bool is_arm = presenter_.state().measures_arm();
-  state_card_->set_title(is_arm ? tr("Cameras") : tr("Device"));
+  const bool is_hand = presenter_.state().measures_hand();
+  const bool is_seen = is_arm || is_hand;
+  state_card_->set_title(is_arm ? tr("Cameras") : is_hand ? tr("Tracker") : tr("Device"));
   details_->setText(info == nullptr ? tr("A device, or cameras, are chosen and connected on the "
                                          "page of the session, once patient and hand are known.")
-                                    : details_of(*info, is_arm));
-  check_card_->setVisible(!is_arm);
-  counted_card_->set_title(is_arm ? tr("What the cameras counted")
-                                  : tr("What the sensors counted"));
-  sensors_->setVisible(!is_arm);
-  cameras_->setVisible(is_arm);
+                                    : details_of(*info, is_seen));
+  check_card_->setVisible(!is_seen);
+  counted_card_->set_title(is_arm    ? tr("What the cameras counted")
+                           : is_hand ? tr("What the tracker counted")
+                                     : tr("What the sensors counted"));
+  sensors_->setVisible(!is_seen);
+  cameras_->setVisible(is_seen);
   const auto& faults = presenter_.state().traces().faults;
   if (faults_->count() != static_cast<int>(faults.size())) {
     faults_->clear();
@@ -269,6 +272,19 @@ void DevicePage::refresh_sensors() {
             .arg(count.duplicate)
             .arg(count.unlabelled)
             .arg(count.damaged)
+            .arg(count.restarts));
+  }
+  if (const auto& open = presenter_.state().open; open && open->hand) {
+    const HandCounters& count = open->hand->health.counters;
+    return cameras_->setText(
+        tr("Pictures of the tracker: %1\nRows of this hand: %2\nNot seen: %3\nOf the other hand, "
+           "not used: %4\nLost: %5\nDamaged: %6\nConnected again: %7")
+            .arg(count.frames)
+            .arg(count.rows)
+            .arg(count.untracked)
+            .arg(count.other_side)
+            .arg(count.lost)
+            .arg(count.malformed)
             .arg(count.restarts));
   }
   const auto& health = presenter_.state().snapshot().health;

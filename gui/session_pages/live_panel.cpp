@@ -144,7 +144,10 @@ LivePanel::LivePanel(SessionPresenter& presenter, const SettingsFile& settings, 
   column_->addWidget(compensation_);
   column_->addWidget(health_);
   connect(all_, &QPushButton::toggled, channels_, &QWidget::setVisible);
-  const auto show_for_forces = [this] { show_part(*this, !presenter_.state().measures_arm()); };
+  const auto show_for_forces = [this] {
+    const SessionState& state = presenter_.state();
+    show_part(*this, !state.measures_arm() && !state.measures_hand());
+  };
   connect(&presenter_.flow(), &SessionFlow::changed, this, show_for_forces);
   show_for_forces();
   connect(&presenter_.flow(), &SessionFlow::frame, this, &LivePanel::refresh);

@@ -6,8 +6,11 @@
 #include <algorithm>
 
 #include "gui/arm_pages/arm_screening_form.hpp"
+#include "gui/hand_pages/hand_screening_form.hpp"
+#include "gui/hand_pages/hand_words.hpp"
 #include "gui/look/look.hpp"
 #include "gui/session_pages/device_forms.hpp"
+#include "gui/session_pages/entry_form.hpp"
 #include "gui/session_pages/patient_form.hpp"
 #include "gui/session_pages/posture_form.hpp"
 #include "gui/session_pages/protocol_form.hpp"
@@ -28,10 +31,12 @@ QString words_of(Step step, const FlowView& view) {
     case Step::screening: return PreparePanel::tr("Screening");
     case Step::device:
       return arm                 ? PreparePanel::tr("Cameras")
+             : view.hand_entry   ? PreparePanel::tr("Tracker")
              : view.device_known ? PreparePanel::tr("Device")
                                  : PreparePanel::tr("Device or cameras");
     case Step::zero:
       return arm                 ? PreparePanel::tr("Start posture")
+             : view.hand_entry   ? PreparePanel::tr("Entry test")
              : view.device_known ? PreparePanel::tr("Zero, empty")
                                  : PreparePanel::tr("Zero or start posture");
     case Step::rest: return PreparePanel::tr("Hand in");
@@ -74,22 +79,24 @@ PreparePanel::PreparePanel(SessionPresenter& presenter, QWidget* parent)
   refresh();
 }
 
-/// The questions about a hand, or about an arm: one of the two is shown.
+/// The questions before forces, about an arm, or about a tracked hand: one of them is shown.
 QWidget* PreparePanel::make_screening() {
   auto* body = new QWidget;
   auto* column = new QVBoxLayout(body);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(new ScreeningForm(presenter_));
   column->addWidget(new ArmScreeningForm(presenter_));
+  column->addWidget(new HandScreeningForm(presenter_));
   return body;
 }
 
-/// The empty device, or the start posture of an arm: one of the two is shown.
+/// The empty device, the start posture of an arm, or the entry test of a hand: one is shown.
 QWidget* PreparePanel::make_zero() {
   auto* body = new QWidget;
   auto* column = new QVBoxLayout(body);
   column->addWidget(new ZeroForm(presenter_));
   column->addWidget(new PostureForm(presenter_));
+  column->addWidget(new EntryForm(presenter_));
   return body;
 }
 
@@ -152,12 +159,17 @@ QString PreparePanel::summary_of(Step step) const {
     case Step::hand: return !hand ? QString() : *hand == Hand::left ? tr("left") : tr("right");
     case Step::screening: {
       const auto& today = presenter_.state().choices.today;
-      return presenter_.state().measures_arm() ? summary(today.arm_screening)
-                                               : summary(today.screening);
+      const SessionState& state = presenter_.state();
+      return state.measures_arm()    ? summary(today.arm_screening)
+             : state.measures_hand() ? summary(today.hand_screening)
+                                     : summary(today.screening);
     }
     case Step::device: return QString::fromStdString(view.device_words);
     case Step::zero:
       if (view.start_posture) return done ? tr("measured") : QString();
+      if (view.hand_entry)
+        return done ? tr("opens %1 mm").arg(in_whole_mm(presenter_.state().open->hand->opening_m))
+                    : QString();
       return done ? tr("set") : presenter_.state().snapshot().zeroed ? tr("once more") : QString();
     case Step::rest: return done ? tr("measured") : QString();
     case Step::work: {

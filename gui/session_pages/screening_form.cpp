@@ -125,11 +125,12 @@ void ScreeningForm::answer(Screening answers) {
 }
 
 void ScreeningForm::refresh() {
-  const bool arm = presenter_.state().measures_arm();
-  show_part(*this, !arm);
+  const SessionState& state = presenter_.state();
+  const bool other = state.measures_arm() || state.measures_hand();
+  show_part(*this, !other);
   // The key belongs to the form that is shown.
   const QString words = tr("Nothing applies, no &pain");
-  nothing_->setText(arm ? QString(words).remove(QLatin1Char('&')) : words);
+  nothing_->setText(other ? QString(words).remove(QLatin1Char('&')) : words);
   const auto& answers = presenter_.state().choices.today.screening;
   const auto& view = presenter_.flow().view();
   setEnabled(view.may_change_hand);

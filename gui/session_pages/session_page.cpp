@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "gui/arm_pages/arm_panel.hpp"
+#include "gui/hand_pages/hand_panel.hpp"
 #include "gui/look/look.hpp"
 #include "gui/session_pages/live_panel.hpp"
 #include "gui/session_pages/prepare_panel.hpp"
@@ -36,8 +37,9 @@ SessionPage::SessionPage(SessionPresenter& presenter, const SettingsFile& settin
   auto* left = make_column(in_a_row ? 290 : 260, in_a_row ? 360 : 0);
   left->addWidget(prepare);
   auto* watch = make_column(400, 0);
-  watch->addWidget(new LivePanel(presenter, settings), 3);  // one of the two is shown
+  watch->addWidget(new LivePanel(presenter, settings), 3);  // one of the three is shown
   watch->addWidget(new ArmPanel(presenter), 5);
+  watch->addWidget(new HandPanel(presenter), 3);
   watch->addWidget(new ScorePanel(presenter), 2);
   auto* run = make_column(in_a_row ? 290 : 250, in_a_row ? 400 : 0);
   auto* now = new RunPanel(presenter);

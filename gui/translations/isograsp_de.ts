@@ -233,6 +233,22 @@
         <source>Simulated arm, paretic</source>
         <translation>Simulierter Arm, paretisch</translation>
     </message>
+    <message>
+        <source>Hand, seen by the Leap service here</source>
+        <translation>Hand, gesehen vom Leap-Dienst hier</translation>
+    </message>
+    <message>
+        <source>Hand, sent by a script here</source>
+        <translation>Hand, gesendet von einem Skript hier</translation>
+    </message>
+    <message>
+        <source>Simulated tracked hand, healthy</source>
+        <translation>Simulierte verfolgte Hand, gesund</translation>
+    </message>
+    <message>
+        <source>Simulated tracked hand, paretic</source>
+        <translation>Simulierte verfolgte Hand, paretisch</translation>
+    </message>
 </context>
 <context>
     <name>Flow</name>
@@ -607,6 +623,156 @@
     <message>
         <source>Connect a device or cameras first.</source>
         <translation>Zuerst ein Gerät oder Kameras verbinden.</translation>
+    </message>
+    <message>
+        <source>Entry test: the hand lies still for ten seconds.</source>
+        <translation>Eingangstest: Die Hand liegt zehn Sekunden still.</translation>
+    </message>
+    <message>
+        <source>Entry test: the hand opens wide, then closes. %1 of %2.</source>
+        <translation>Eingangstest: Die Hand öffnet sich weit und schließt sich. %1 von %2.</translation>
+    </message>
+    <message>
+        <source>The tracker sends no more pictures</source>
+        <translation>Die Handverfolgung sendet keine Bilder mehr</translation>
+    </message>
+    <message>
+        <source>Nothing arrives: check the tracker and its program</source>
+        <translation>Nichts kommt an: Handverfolgung und ihr Programm prüfen</translation>
+    </message>
+    <message>
+        <source>Entry test …</source>
+        <translation>Eingangstest …</translation>
+    </message>
+    <message>
+        <source>Connected, needs the entry test</source>
+        <translation>Verbunden, der Eingangstest fehlt</translation>
+    </message>
+    <message>
+        <source>Connecting to the tracker …</source>
+        <translation>Verbindung zur Handverfolgung …</translation>
+    </message>
+    <message>
+        <source>Connect the tracker to begin the session.</source>
+        <translation>Handverfolgung verbinden, um die Sitzung zu beginnen.</translation>
+    </message>
+    <message>
+        <source>The tracker sends no more pictures. Disconnect to end the session.</source>
+        <translation>Die Handverfolgung sendet keine Bilder mehr. Trennen beendet die Sitzung.</translation>
+    </message>
+    <message>
+        <source>Paused: the tracker sent no hand. Resume when it works again.</source>
+        <translation>Angehalten: Die Handverfolgung sendete keine Hand. Fortsetzen, wenn sie wieder arbeitet.</translation>
+    </message>
+    <message>
+        <source>The hand is not seen. The trial goes on by itself.</source>
+        <translation>Die Hand ist nicht zu sehen. Der Versuch geht von selbst weiter.</translation>
+    </message>
+    <message>
+        <source>The hand lies on the table before the tracker: begin the entry test.</source>
+        <translation>Die Hand liegt vor der Kamera auf dem Tisch: Eingangstest beginnen.</translation>
+    </message>
+    <message>
+        <source>Connect the tracker first.</source>
+        <translation>Zuerst die Handverfolgung verbinden.</translation>
+    </message>
+    <message>
+        <source>Do the entry test first.</source>
+        <translation>Zuerst den Eingangstest machen.</translation>
+    </message>
+    <message>
+        <source>No virtual objects for this hand: its entry test says so.</source>
+        <translation>Keine virtuellen Objekte für diese Hand: So sagt es ihr Eingangstest.</translation>
+    </message>
+    <message>
+        <source>Wait until the entry test is over.</source>
+        <translation>Warten, bis der Eingangstest vorbei ist.</translation>
+    </message>
+</context>
+<context>
+    <name>Hand</name>
+    <message>
+        <source>Thumb</source>
+        <translation>Daumen</translation>
+    </message>
+    <message>
+        <source>Index finger</source>
+        <translation>Zeigefinger</translation>
+    </message>
+    <message>
+        <source>Middle finger</source>
+        <translation>Mittelfinger</translation>
+    </message>
+    <message>
+        <source>Ring finger</source>
+        <translation>Ringfinger</translation>
+    </message>
+    <message>
+        <source>Little finger</source>
+        <translation>Kleinfinger</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>frei</translation>
+    </message>
+    <message>
+        <source>touches</source>
+        <translation>berührt</translation>
+    </message>
+    <message>
+        <source>tied</source>
+        <translation>verbunden</translation>
+    </message>
+    <message>
+        <source>has let go</source>
+        <translation>losgelassen</translation>
+    </message>
+    <message>
+        <source>full</source>
+        <translation>voll</translation>
+    </message>
+    <message>
+        <source>softer</source>
+        <translation>weicher</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+</context>
+<context>
+    <name>HandScreening</name>
+    <message>
+        <source>Shoulder pain or subluxation</source>
+        <translation>Schulterschmerz oder Subluxation</translation>
+    </message>
+    <message>
+        <source>The hand is carried to its targets: support the forearm</source>
+        <translation>Die Hand wird zu ihren Zielen geführt: Unterarm stützen</translation>
+    </message>
+    <message>
+        <source>Stop where the shoulder hurts.</source>
+        <translation>Aufhören, wo die Schulter schmerzt.</translation>
+    </message>
+    <message>
+        <source>Support the forearm; stop where the shoulder hurts.</source>
+        <translation>Unterarm stützen; aufhören, wo die Schulter schmerzt.</translation>
+    </message>
+    <message>
+        <source>Mark the treatment on the patient&apos;s page.</source>
+        <translation>Die Behandlung auf der Seite des Patienten eintragen.</translation>
+    </message>
+    <message>
+        <source>Stay beside the patient.</source>
+        <translation>Beim Patienten bleiben.</translation>
+    </message>
+    <message>
+        <source>may move, pain %1</source>
+        <translation>darf sich bewegen, Schmerz %1</translation>
+    </message>
+    <message>
+        <source>no movement, pain %1</source>
+        <translation>keine Bewegung, Schmerz %1</translation>
     </message>
 </context>
 <context>
@@ -2885,6 +3051,85 @@ Neu verbunden: %6</translation>
         <source>Nothing is connected.</source>
         <translation>Nichts ist verbunden.</translation>
     </message>
+    <message>
+        <source>Tracker</source>
+        <translation>Handverfolgung</translation>
+    </message>
+    <message>
+        <source>What the tracker counted</source>
+        <translation>Was die Handverfolgung zählte</translation>
+    </message>
+    <message>
+        <source>Pictures of the tracker: %1
+Rows of this hand: %2
+Not seen: %3
+Of the other hand, not used: %4
+Lost: %5
+Damaged: %6
+Connected again: %7</source>
+        <translation>Bilder der Handverfolgung: %1
+Zeilen dieser Hand: %2
+Nicht gesehen: %3
+Von der anderen Hand, nicht verwendet: %4
+Verloren: %5
+Beschädigt: %6
+Neu verbunden: %7</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::EntryForm</name>
+    <message>
+        <source>At rest: the hand lies still for ten seconds.</source>
+        <translation>In Ruhe: Die Hand liegt zehn Sekunden still.</translation>
+    </message>
+    <message>
+        <source>Now open wide.</source>
+        <translation>Jetzt weit öffnen.</translation>
+    </message>
+    <message>
+        <source>Now close.</source>
+        <translation>Jetzt schließen.</translation>
+    </message>
+    <message>
+        <source>%1 Opened %2 of %3 times.</source>
+        <translation>%1 %2 von %3 Mal geöffnet.</translation>
+    </message>
+    <message>
+        <source>Opens %1 mm: objects up to %2 mm are offered.</source>
+        <translation>Öffnet %1 mm: Objekte bis %2 mm werden angeboten.</translation>
+    </message>
+    <message>
+        <source>Entry test</source>
+        <translation>Eingangstest</translation>
+    </message>
+    <message>
+        <source>Entry test: ten seconds at rest, then three openings</source>
+        <translation>Eingangstest: zehn Sekunden Ruhe, dann drei Öffnungen</translation>
+    </message>
+    <message>
+        <source>Once more</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>Begin the entry test</source>
+        <translation>Eingangstest beginnen</translation>
+    </message>
+    <message>
+        <source>Ten seconds at rest, then open and close three times: says whether virtual objects are for this hand, and how wide ones (Tab, then space)</source>
+        <translation>Zehn Sekunden Ruhe, dann dreimal öffnen und schließen: Sagt, ob virtuelle Objekte für diese Hand sind, und wie breite (Tab, dann Leertaste)</translation>
+    </message>
+    <message>
+        <source>The hand is not seen: bring it before the tracker.</source>
+        <translation>Die Hand ist nicht zu sehen: vor die Kamera bringen.</translation>
+    </message>
+    <message>
+        <source>The hand is seen.</source>
+        <translation>Die Hand ist zu sehen.</translation>
+    </message>
+    <message>
+        <source>Ten seconds at rest on the table, then open and close three times.</source>
+        <translation>Zehn Sekunden Ruhe auf dem Tisch, dann dreimal öffnen und schließen.</translation>
+    </message>
 </context>
 <context>
     <name>isograsp::gui::ExportPanel</name>
@@ -3126,6 +3371,172 @@ Neu verbunden: %6</translation>
     <message>
         <source>–</source>
         <translation>–</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::HandPanel</name>
+    <message>
+        <source>Object held in its weakest direction (G min)</source>
+        <translation>Halt des Objekts in der schwächsten Richtung (G min)</translation>
+    </message>
+    <message>
+        <source>Hand moves it in its weakest direction (H min)</source>
+        <translation>Hand bewegt es in der schwächsten Richtung (H min)</translation>
+    </message>
+    <message>
+        <source>Hand moves it on the whole (H det)</source>
+        <translation>Hand bewegt es insgesamt (H det)</translation>
+    </message>
+    <message>
+        <source>Counting the pictures of the tracker …</source>
+        <translation>Bilder der Handverfolgung werden gezählt …</translation>
+    </message>
+    <message>
+        <source>%1 pictures a second · %2 % of the last 10 s not seen · lost %3 times</source>
+        <translation>%1 Bilder je Sekunde · %2 % der letzten 10 s nicht gesehen · %3 Mal verloren</translation>
+    </message>
+    <message>
+        <source>Live hand</source>
+        <translation>Hand, jetzt</translation>
+    </message>
+    <message>
+        <source>Let the object go</source>
+        <translation>Objekt loslassen</translation>
+    </message>
+    <message>
+        <source>The object falls through the hand; the placement ends as helped, which is no drop (Ctrl+O)</source>
+        <translation>Das Objekt fällt durch die Hand; das Ablegen endet mit Hilfe, das ist kein Fallenlassen (Strg+O)</translation>
+    </message>
+    <message>
+        <source>● Camera on</source>
+        <translation>● Kamera an</translation>
+    </message>
+    <message>
+        <source>A camera looks at the person until the session ends. No picture is read or stored</source>
+        <translation>Eine Kamera sieht die Person, bis die Sitzung endet. Kein Bild wird gelesen oder gespeichert</translation>
+    </message>
+    <message>
+        <source>%1: pull</source>
+        <translation>%1: Zug</translation>
+    </message>
+    <message>
+        <source>%1: how hard it pulls away, as a share of the pull at which its tie lets go</source>
+        <translation>%1: wie stark er wegzieht, als Anteil des Zugs, bei dem die Verbindung loslässt</translation>
+    </message>
+    <message>
+        <source>The hand is shown once the tracker is connected.</source>
+        <translation>Die Hand erscheint, sobald die Handverfolgung verbunden ist.</translation>
+    </message>
+    <message>
+        <source>The hand is not seen.</source>
+        <translation>Die Hand ist nicht zu sehen.</translation>
+    </message>
+    <message>
+        <source>Thumb and index %1 mm apart.</source>
+        <translation>Daumen und Zeigefinger %1 mm auseinander.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 of %2&lt;/b&gt; done</source>
+        <translation>&lt;b&gt;%1 von %2&lt;/b&gt; gemacht</translation>
+    </message>
+    <message>
+        <source>No trial is running.</source>
+        <translation>Es läuft kein Versuch.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 of %2&lt;/b&gt; placed · placement %3 · help: &lt;b&gt;%4&lt;/b&gt; · drops &lt;b&gt;%5&lt;/b&gt;</source>
+        <translation>&lt;b&gt;%1 von %2&lt;/b&gt; abgelegt · Ablegen %3 · Hilfe: &lt;b&gt;%4&lt;/b&gt; · &lt;b&gt;%5&lt;/b&gt; gefallen</translation>
+    </message>
+    <message>
+        <source>%1 · eased</source>
+        <translation>%1 · erleichtert</translation>
+    </message>
+    <message>
+        <source>%1 · &lt;b&gt;let go for the hand&lt;/b&gt;</source>
+        <translation>%1 · &lt;b&gt;für die Hand losgelassen&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>%1 · &lt;b&gt;the hand is to open&lt;/b&gt;</source>
+        <translation>%1 · &lt;b&gt;die Hand soll sich öffnen&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>%1 Virtual hand %2 mm from the tracked one.</source>
+        <translation>%1 Virtuelle Hand %2 mm neben der verfolgten.</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>%1 of %2 N</source>
+        <translation>%1 von %2 N</translation>
+    </message>
+    <message>
+        <source>Grasp: fewer than two fingers touch.</source>
+        <translation>Griff: weniger als zwei Finger berühren.</translation>
+    </message>
+    <message>
+        <source>Grasp: ✓ it holds, and may be helped.</source>
+        <translation>Griff: ✓ er hält und darf Hilfe haben.</translation>
+    </message>
+    <message>
+        <source>Grasp: ✗ it does not hold yet.</source>
+        <translation>Griff: ✗ er hält noch nicht.</translation>
+    </message>
+    <message>
+        <source>above %1</source>
+        <translation>über %1</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::HandScreeningForm</name>
+    <message>
+        <source>Nothing applies, no pain: the hand may move</source>
+        <translation>Nichts trifft zu, kein Schmerz: Die Hand darf sich bewegen</translation>
+    </message>
+    <message>
+        <source>None of the reasons below, no pain, forearm as ticked (Alt+P)</source>
+        <translation>Keiner der Gründe unten, kein Schmerz, Unterarm wie angekreuzt (Alt+Z)</translation>
+    </message>
+    <message>
+        <source>%1 (Tab, then space)</source>
+        <translation>%1 (Tab, dann Leertaste)</translation>
+    </message>
+    <message>
+        <source>Pain now, at rest</source>
+        <translation>Schmerz jetzt, in Ruhe</translation>
+    </message>
+    <message>
+        <source>Pain now</source>
+        <translation>Schmerz jetzt</translation>
+    </message>
+    <message>
+        <source>Forearm supported</source>
+        <translation>Unterarm gestützt</translation>
+    </message>
+    <message>
+        <source>It lies on the table or a rest while the hand works; stored with the session (Tab, then space)</source>
+        <translation>Er liegt auf dem Tisch oder einer Auflage, während die Hand arbeitet; wird mit der Sitzung gespeichert (Tab, dann Leertaste)</translation>
+    </message>
+    <message>
+        <source>You decide for this hand</source>
+        <translation>Sie entscheiden für diese Hand</translation>
+    </message>
+    <message>
+        <source>%1: this hand, today (Tab, then space)</source>
+        <translation>%1: diese Hand, heute (Tab, dann Leertaste)</translation>
+    </message>
+    <message>
+        <source>It may move</source>
+        <translation>Sie darf sich bewegen</translation>
+    </message>
+    <message>
+        <source>No movement</source>
+        <translation>Keine Bewegung</translation>
+    </message>
+    <message>
+        <source>Nothing applies, no &amp;pain</source>
+        <translation>Nichts trifft &amp;zu, kein Schmerz</translation>
     </message>
 </context>
 <context>
@@ -4452,6 +4863,18 @@ Neu verbunden: %6</translation>
     <message>
         <source>The affected side is the other one; this one is meant (Tab, then space)</source>
         <translation>Betroffen ist die andere Seite; diese ist gemeint (Tab, dann Leertaste)</translation>
+    </message>
+    <message>
+        <source>Tracker</source>
+        <translation>Handverfolgung</translation>
+    </message>
+    <message>
+        <source>Entry test</source>
+        <translation>Eingangstest</translation>
+    </message>
+    <message>
+        <source>opens %1 mm</source>
+        <translation>öffnet %1 mm</translation>
     </message>
 </context>
 <context>
@@ -6064,6 +6487,14 @@ Neu verbunden: %6</translation>
     <message>
         <source>Cameras</source>
         <translation>Kameras</translation>
+    </message>
+    <message>
+        <source>Tracker: %1</source>
+        <translation>Handverfolgung: %1</translation>
+    </message>
+    <message>
+        <source>Tracker</source>
+        <translation>Handverfolgung</translation>
     </message>
 </context>
 <context>

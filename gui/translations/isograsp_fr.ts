@@ -233,6 +233,22 @@
         <source>Simulated arm, paretic</source>
         <translation>Bras simulé, parétique</translation>
     </message>
+    <message>
+        <source>Hand, seen by the Leap service here</source>
+        <translation>Main, vue par le service Leap d’ici</translation>
+    </message>
+    <message>
+        <source>Hand, sent by a script here</source>
+        <translation>Main, envoyée par un script d’ici</translation>
+    </message>
+    <message>
+        <source>Simulated tracked hand, healthy</source>
+        <translation>Main suivie simulée, saine</translation>
+    </message>
+    <message>
+        <source>Simulated tracked hand, paretic</source>
+        <translation>Main suivie simulée, parétique</translation>
+    </message>
 </context>
 <context>
     <name>Flow</name>
@@ -607,6 +623,156 @@
     <message>
         <source>Connect a device or cameras first.</source>
         <translation>Connectez d’abord un appareil ou des caméras.</translation>
+    </message>
+    <message>
+        <source>Entry test: the hand lies still for ten seconds.</source>
+        <translation>Test d’entrée&#xa0;: la main repose immobile dix secondes.</translation>
+    </message>
+    <message>
+        <source>Entry test: the hand opens wide, then closes. %1 of %2.</source>
+        <translation>Test d’entrée&#xa0;: la main s’ouvre grand, puis se ferme. %1 sur %2.</translation>
+    </message>
+    <message>
+        <source>The tracker sends no more pictures</source>
+        <translation>Le suivi de la main n’envoie plus d’images</translation>
+    </message>
+    <message>
+        <source>Nothing arrives: check the tracker and its program</source>
+        <translation>Rien n’arrive&#xa0;: vérifiez le suivi de la main et son programme</translation>
+    </message>
+    <message>
+        <source>Entry test …</source>
+        <translation>Test d’entrée …</translation>
+    </message>
+    <message>
+        <source>Connected, needs the entry test</source>
+        <translation>Connecté, le test d’entrée manque</translation>
+    </message>
+    <message>
+        <source>Connecting to the tracker …</source>
+        <translation>Connexion au suivi de la main …</translation>
+    </message>
+    <message>
+        <source>Connect the tracker to begin the session.</source>
+        <translation>Connectez le suivi de la main pour commencer la séance.</translation>
+    </message>
+    <message>
+        <source>The tracker sends no more pictures. Disconnect to end the session.</source>
+        <translation>Le suivi de la main n’envoie plus d’images. Déconnectez pour terminer la séance.</translation>
+    </message>
+    <message>
+        <source>Paused: the tracker sent no hand. Resume when it works again.</source>
+        <translation>En pause&#xa0;: le suivi n’envoyait pas de main. Reprenez quand il fonctionne de nouveau.</translation>
+    </message>
+    <message>
+        <source>The hand is not seen. The trial goes on by itself.</source>
+        <translation>La main n’est pas vue. L’essai continue de lui-même.</translation>
+    </message>
+    <message>
+        <source>The hand lies on the table before the tracker: begin the entry test.</source>
+        <translation>La main repose sur la table devant la caméra&#xa0;: commencez le test d’entrée.</translation>
+    </message>
+    <message>
+        <source>Connect the tracker first.</source>
+        <translation>Connectez d’abord le suivi de la main.</translation>
+    </message>
+    <message>
+        <source>Do the entry test first.</source>
+        <translation>Faites d’abord le test d’entrée.</translation>
+    </message>
+    <message>
+        <source>No virtual objects for this hand: its entry test says so.</source>
+        <translation>Pas d’objets virtuels pour cette main&#xa0;: son test d’entrée le dit.</translation>
+    </message>
+    <message>
+        <source>Wait until the entry test is over.</source>
+        <translation>Attendez la fin du test d’entrée.</translation>
+    </message>
+</context>
+<context>
+    <name>Hand</name>
+    <message>
+        <source>Thumb</source>
+        <translation>Pouce</translation>
+    </message>
+    <message>
+        <source>Index finger</source>
+        <translation>Index</translation>
+    </message>
+    <message>
+        <source>Middle finger</source>
+        <translation>Majeur</translation>
+    </message>
+    <message>
+        <source>Ring finger</source>
+        <translation>Annulaire</translation>
+    </message>
+    <message>
+        <source>Little finger</source>
+        <translation>Auriculaire</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>libre</translation>
+    </message>
+    <message>
+        <source>touches</source>
+        <translation>touche</translation>
+    </message>
+    <message>
+        <source>tied</source>
+        <translation>lié</translation>
+    </message>
+    <message>
+        <source>has let go</source>
+        <translation>a lâché</translation>
+    </message>
+    <message>
+        <source>full</source>
+        <translation>pleine</translation>
+    </message>
+    <message>
+        <source>softer</source>
+        <translation>plus douce</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+</context>
+<context>
+    <name>HandScreening</name>
+    <message>
+        <source>Shoulder pain or subluxation</source>
+        <translation>Douleur ou subluxation de l’épaule</translation>
+    </message>
+    <message>
+        <source>The hand is carried to its targets: support the forearm</source>
+        <translation>La main se porte vers ses cibles&#xa0;: soutenez l’avant-bras</translation>
+    </message>
+    <message>
+        <source>Stop where the shoulder hurts.</source>
+        <translation>Arrêtez où l’épaule fait mal.</translation>
+    </message>
+    <message>
+        <source>Support the forearm; stop where the shoulder hurts.</source>
+        <translation>Soutenez l’avant-bras&#xa0;; arrêtez où l’épaule fait mal.</translation>
+    </message>
+    <message>
+        <source>Mark the treatment on the patient&apos;s page.</source>
+        <translation>Notez le traitement sur la page du patient.</translation>
+    </message>
+    <message>
+        <source>Stay beside the patient.</source>
+        <translation>Restez auprès du patient.</translation>
+    </message>
+    <message>
+        <source>may move, pain %1</source>
+        <translation>peut bouger, douleur %1</translation>
+    </message>
+    <message>
+        <source>no movement, pain %1</source>
+        <translation>pas de mouvement, douleur %1</translation>
     </message>
 </context>
 <context>
@@ -2243,7 +2409,7 @@
     </message>
     <message>
         <source>You move the object to the right, up and away, towards the screen; the picture must do the same. Before the first trial (Tab, then space)</source>
-        <translation>Vous déplacez l’objet à droite, en haut et au loin vers l’écran&#xa0;; l’image doit faire de même. Avant le premier essai (Tab, puis espace)</translation>
+        <translation>Vous déplacez l’objet à droite, en haut et au loin vers l’écran&#xa0;; l’image doit faire de même. Avant le premier essai (Tab, puis Espace)</translation>
     </message>
     <message>
         <source>From the object to its target, beside what counts as there. Depth is along the line of sight: without a second picture for the other eye it is harder to see</source>
@@ -2346,7 +2512,7 @@
     </message>
     <message>
         <source>No target goes beyond this range (Tab, then space)</source>
-        <translation>Aucune cible ne dépasse cette amplitude (Tab, puis espace)</translation>
+        <translation>Aucune cible ne dépasse cette amplitude (Tab, puis Espace)</translation>
     </message>
     <message>
         <source>°</source>
@@ -2366,7 +2532,7 @@
     </message>
     <message>
         <source>%1 of this arm today (Tab, then space)</source>
-        <translation>%1 de ce bras aujourd’hui (Tab, puis espace)</translation>
+        <translation>%1 de ce bras aujourd’hui (Tab, puis Espace)</translation>
     </message>
 </context>
 <context>
@@ -2885,6 +3051,85 @@ Reconnexions&#xa0;: %6</translation>
         <source>Nothing is connected.</source>
         <translation>Rien n’est connecté.</translation>
     </message>
+    <message>
+        <source>Tracker</source>
+        <translation>Suivi de la main</translation>
+    </message>
+    <message>
+        <source>What the tracker counted</source>
+        <translation>Ce que le suivi a compté</translation>
+    </message>
+    <message>
+        <source>Pictures of the tracker: %1
+Rows of this hand: %2
+Not seen: %3
+Of the other hand, not used: %4
+Lost: %5
+Damaged: %6
+Connected again: %7</source>
+        <translation>Images du suivi&#xa0;: %1
+Lignes de cette main&#xa0;: %2
+Non vue&#xa0;: %3
+De l’autre main, non utilisées&#xa0;: %4
+Perdues&#xa0;: %5
+Endommagées&#xa0;: %6
+Reconnecté&#xa0;: %7</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::EntryForm</name>
+    <message>
+        <source>At rest: the hand lies still for ten seconds.</source>
+        <translation>Au repos&#xa0;: la main reste immobile dix secondes.</translation>
+    </message>
+    <message>
+        <source>Now open wide.</source>
+        <translation>Maintenant, ouvrez grand.</translation>
+    </message>
+    <message>
+        <source>Now close.</source>
+        <translation>Maintenant, fermez.</translation>
+    </message>
+    <message>
+        <source>%1 Opened %2 of %3 times.</source>
+        <translation>%1 Ouverte %2 fois sur %3.</translation>
+    </message>
+    <message>
+        <source>Opens %1 mm: objects up to %2 mm are offered.</source>
+        <translation>S’ouvre de %1 mm&#xa0;: des objets jusqu’à %2 mm sont proposés.</translation>
+    </message>
+    <message>
+        <source>Entry test</source>
+        <translation>Test d’entrée</translation>
+    </message>
+    <message>
+        <source>Entry test: ten seconds at rest, then three openings</source>
+        <translation>Test d’entrée&#xa0;: dix secondes de repos, puis trois ouvertures</translation>
+    </message>
+    <message>
+        <source>Once more</source>
+        <translation>Encore une fois</translation>
+    </message>
+    <message>
+        <source>Begin the entry test</source>
+        <translation>Commencer le test d’entrée</translation>
+    </message>
+    <message>
+        <source>Ten seconds at rest, then open and close three times: says whether virtual objects are for this hand, and how wide ones (Tab, then space)</source>
+        <translation>Dix secondes de repos, puis ouvrir et fermer trois fois&#xa0;: dit si des objets virtuels conviennent à cette main, et de quelle largeur (Tab, puis Espace)</translation>
+    </message>
+    <message>
+        <source>The hand is not seen: bring it before the tracker.</source>
+        <translation>La main n’est pas vue&#xa0;: amenez-la devant la caméra.</translation>
+    </message>
+    <message>
+        <source>The hand is seen.</source>
+        <translation>La main est vue.</translation>
+    </message>
+    <message>
+        <source>Ten seconds at rest on the table, then open and close three times.</source>
+        <translation>Dix secondes de repos sur la table, puis ouvrir et fermer trois fois.</translation>
+    </message>
 </context>
 <context>
     <name>isograsp::gui::ExportPanel</name>
@@ -3126,6 +3371,172 @@ Reconnexions&#xa0;: %6</translation>
     <message>
         <source>–</source>
         <translation>–</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::HandPanel</name>
+    <message>
+        <source>Object held in its weakest direction (G min)</source>
+        <translation>Tenue de l’objet dans la direction la plus faible (G min)</translation>
+    </message>
+    <message>
+        <source>Hand moves it in its weakest direction (H min)</source>
+        <translation>Mouvement par la main, direction la plus faible (H min)</translation>
+    </message>
+    <message>
+        <source>Hand moves it on the whole (H det)</source>
+        <translation>Mouvement par la main, dans l’ensemble (H det)</translation>
+    </message>
+    <message>
+        <source>Counting the pictures of the tracker …</source>
+        <translation>Comptage des images du suivi …</translation>
+    </message>
+    <message>
+        <source>%1 pictures a second · %2 % of the last 10 s not seen · lost %3 times</source>
+        <translation>%1 images par seconde · %2 % des 10 dernières s non vues · perdue %3 fois</translation>
+    </message>
+    <message>
+        <source>Live hand</source>
+        <translation>Main en direct</translation>
+    </message>
+    <message>
+        <source>Let the object go</source>
+        <translation>Lâcher l’objet</translation>
+    </message>
+    <message>
+        <source>The object falls through the hand; the placement ends as helped, which is no drop (Ctrl+O)</source>
+        <translation>L’objet tombe à travers la main&#xa0;; le placement finit avec aide, ce n’est pas une chute (Ctrl+O)</translation>
+    </message>
+    <message>
+        <source>● Camera on</source>
+        <translation>● Caméra active</translation>
+    </message>
+    <message>
+        <source>A camera looks at the person until the session ends. No picture is read or stored</source>
+        <translation>Une caméra voit la personne jusqu’à la fin de la séance. Aucune image n’est lue ni enregistrée</translation>
+    </message>
+    <message>
+        <source>%1: pull</source>
+        <translation>%1&#xa0;: traction</translation>
+    </message>
+    <message>
+        <source>%1: how hard it pulls away, as a share of the pull at which its tie lets go</source>
+        <translation>%1&#xa0;: force avec laquelle il s’éloigne, en part de la traction où le lien lâche</translation>
+    </message>
+    <message>
+        <source>The hand is shown once the tracker is connected.</source>
+        <translation>La main apparaît dès que le suivi est connecté.</translation>
+    </message>
+    <message>
+        <source>The hand is not seen.</source>
+        <translation>La main n’est pas vue.</translation>
+    </message>
+    <message>
+        <source>Thumb and index %1 mm apart.</source>
+        <translation>Pouce et index écartés de %1 mm.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 of %2&lt;/b&gt; done</source>
+        <translation>&lt;b&gt;%1 sur %2&lt;/b&gt; faits</translation>
+    </message>
+    <message>
+        <source>No trial is running.</source>
+        <translation>Aucun essai n’est en cours.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 of %2&lt;/b&gt; placed · placement %3 · help: &lt;b&gt;%4&lt;/b&gt; · drops &lt;b&gt;%5&lt;/b&gt;</source>
+        <translation>&lt;b&gt;%1 sur %2&lt;/b&gt; posés · placement %3 · aide&#xa0;: &lt;b&gt;%4&lt;/b&gt; · chutes&#xa0;: &lt;b&gt;%5&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>%1 · eased</source>
+        <translation>%1 · facilité</translation>
+    </message>
+    <message>
+        <source>%1 · &lt;b&gt;let go for the hand&lt;/b&gt;</source>
+        <translation>%1 · &lt;b&gt;lâché pour la main&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>%1 · &lt;b&gt;the hand is to open&lt;/b&gt;</source>
+        <translation>%1 · &lt;b&gt;la main doit s’ouvrir&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>%1 Virtual hand %2 mm from the tracked one.</source>
+        <translation>%1 Main virtuelle à %2 mm de la main suivie.</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>%1 of %2 N</source>
+        <translation>%1 sur %2 N</translation>
+    </message>
+    <message>
+        <source>Grasp: fewer than two fingers touch.</source>
+        <translation>Prise&#xa0;: moins de deux doigts touchent.</translation>
+    </message>
+    <message>
+        <source>Grasp: ✓ it holds, and may be helped.</source>
+        <translation>Prise&#xa0;: ✓ elle tient et peut être aidée.</translation>
+    </message>
+    <message>
+        <source>Grasp: ✗ it does not hold yet.</source>
+        <translation>Prise&#xa0;: ✗ elle ne tient pas encore.</translation>
+    </message>
+    <message>
+        <source>above %1</source>
+        <translation>plus de %1</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::HandScreeningForm</name>
+    <message>
+        <source>Nothing applies, no pain: the hand may move</source>
+        <translation>Rien ne s’applique, pas de douleur&#xa0;: la main peut bouger</translation>
+    </message>
+    <message>
+        <source>None of the reasons below, no pain, forearm as ticked (Alt+P)</source>
+        <translation>Aucune des raisons ci-dessous, pas de douleur, avant-bras comme coché (Alt+L)</translation>
+    </message>
+    <message>
+        <source>%1 (Tab, then space)</source>
+        <translation>%1 (Tab, puis Espace)</translation>
+    </message>
+    <message>
+        <source>Pain now, at rest</source>
+        <translation>Douleur actuelle, au repos</translation>
+    </message>
+    <message>
+        <source>Pain now</source>
+        <translation>Douleur actuelle</translation>
+    </message>
+    <message>
+        <source>Forearm supported</source>
+        <translation>Avant-bras soutenu</translation>
+    </message>
+    <message>
+        <source>It lies on the table or a rest while the hand works; stored with the session (Tab, then space)</source>
+        <translation>Il repose sur la table ou un appui pendant que la main travaille&#xa0;; enregistré avec la séance (Tab, puis Espace)</translation>
+    </message>
+    <message>
+        <source>You decide for this hand</source>
+        <translation>Votre décision pour cette main</translation>
+    </message>
+    <message>
+        <source>%1: this hand, today (Tab, then space)</source>
+        <translation>%1&#xa0;: cette main, aujourd’hui (Tab, puis Espace)</translation>
+    </message>
+    <message>
+        <source>It may move</source>
+        <translation>Elle peut bouger</translation>
+    </message>
+    <message>
+        <source>No movement</source>
+        <translation>Pas de mouvement</translation>
+    </message>
+    <message>
+        <source>Nothing applies, no &amp;pain</source>
+        <translation>Rien à signaler, pas de dou&amp;leur</translation>
     </message>
 </context>
 <context>
@@ -4078,7 +4489,7 @@ Reconnexions&#xa0;: %6</translation>
     </message>
     <message>
         <source>The same posture once more (Tab, then space)</source>
-        <translation>La même posture encore une fois (Tab, puis espace)</translation>
+        <translation>La même posture encore une fois (Tab, puis Espace)</translation>
     </message>
     <message>
         <source>Delete</source>
@@ -4198,7 +4609,7 @@ Reconnexions&#xa0;: %6</translation>
     </message>
     <message>
         <source>Adds a posture so far on the way to this one; this one stays (Tab, then space)</source>
-        <translation>Ajoute une posture à ce point du chemin vers celle-ci, qui reste (Tab, puis espace)</translation>
+        <translation>Ajoute une posture à ce point du chemin vers celle-ci, qui reste (Tab, puis Espace)</translation>
     </message>
     <message>
         <source>Shorten</source>
@@ -4210,7 +4621,7 @@ Reconnexions&#xa0;: %6</translation>
     </message>
     <message>
         <source>Takes this posture back to so much of its way (Tab, then space)</source>
-        <translation>Ramène cette posture à cette part de son chemin (Tab, puis espace)</translation>
+        <translation>Ramène cette posture à cette part de son chemin (Tab, puis Espace)</translation>
     </message>
     <message>
         <source>Way from the initial one</source>
@@ -4238,11 +4649,11 @@ Reconnexions&#xa0;: %6</translation>
     </message>
     <message>
         <source>The arm is held still for a second, as guided; the same markers as in this file (Tab, then space)</source>
-        <translation>Le bras reste immobile une seconde, tel que guidé&#xa0;; les mêmes marqueurs que dans ce fichier (Tab, puis espace)</translation>
+        <translation>Le bras reste immobile une seconde, tel que guidé&#xa0;; les mêmes marqueurs que dans ce fichier (Tab, puis Espace)</translation>
     </message>
     <message>
         <source>The arm is held still for a second and becomes the initial posture of a new file: postures of one arm with other markers do not fit together (Tab, then space)</source>
-        <translation>Le bras reste immobile une seconde et devient la posture initiale d’un nouveau fichier&#xa0;: des postures avec des marqueurs posés autrement ne vont pas ensemble (Tab, puis espace)</translation>
+        <translation>Le bras reste immobile une seconde et devient la posture initiale d’un nouveau fichier&#xa0;: des postures avec des marqueurs posés autrement ne vont pas ensemble (Tab, puis Espace)</translation>
     </message>
     <message>
         <source>%1 – all others are seen from it</source>
@@ -4289,7 +4700,7 @@ Reconnexions&#xa0;: %6</translation>
     </message>
     <message>
         <source>The arm is held still for a second; targets are made for its size (Tab, then space)</source>
-        <translation>Le bras reste immobile une seconde&#xa0;; les cibles sont faites pour sa taille (Tab, puis espace)</translation>
+        <translation>Le bras reste immobile une seconde&#xa0;; les cibles sont faites pour sa taille (Tab, puis Espace)</translation>
     </message>
 </context>
 <context>
@@ -4451,7 +4862,19 @@ Reconnexions&#xa0;: %6</translation>
     </message>
     <message>
         <source>The affected side is the other one; this one is meant (Tab, then space)</source>
-        <translation>Le côté atteint est l’autre&#xa0;; c’est bien celui-ci (Tab, puis espace)</translation>
+        <translation>Le côté atteint est l’autre&#xa0;; c’est bien celui-ci (Tab, puis Espace)</translation>
+    </message>
+    <message>
+        <source>Tracker</source>
+        <translation>Suivi de la main</translation>
+    </message>
+    <message>
+        <source>Entry test</source>
+        <translation>Test d’entrée</translation>
+    </message>
+    <message>
+        <source>opens %1 mm</source>
+        <translation>s’ouvre de %1 mm</translation>
     </message>
 </context>
 <context>
@@ -4650,7 +5073,7 @@ Reconnexions&#xa0;: %6</translation>
     </message>
     <message>
         <source>Shows the last answer again; another number corrects it, and what it was is kept (Tab, then space)</source>
-        <translation>Montre de nouveau la dernière réponse&#xa0;; un autre nombre la corrige, et ce qu’elle était est conservé (Tab, puis espace)</translation>
+        <translation>Montre de nouveau la dernière réponse&#xa0;; un autre nombre la corrige, et ce qu’elle était est conservé (Tab, puis Espace)</translation>
     </message>
     <message>
         <source>The patient says</source>
@@ -6064,6 +6487,14 @@ Reconnexions&#xa0;: %6</translation>
     <message>
         <source>Cameras</source>
         <translation>Caméras</translation>
+    </message>
+    <message>
+        <source>Tracker: %1</source>
+        <translation>Suivi de la main&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Tracker</source>
+        <translation>Suivi de la main</translation>
     </message>
 </context>
 <context>

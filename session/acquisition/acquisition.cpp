@@ -77,6 +77,10 @@ void Acquisition::obey(const Command& command) noexcept {
     case Command::Kind::resume:
       if (now_.stage == Stage::paused) resume();
       break;
+    case Command::Kind::let_go:
+      if (trial_ == nullptr || !apparatus_.let_go()) break;
+      push_event(kLetGoEvent, "The therapist let the object go."_text);
+      break;
     case Command::Kind::abort:
       if (trial_ != nullptr) end_trial(storage::TrialStatus::aborted, command.reason);
       break;

@@ -17,6 +17,9 @@ inline constexpr const char* kFaultEvent = "fault";
 /// … of a trial that stands still because the object has left the hand.
 inline constexpr const char* kObjectLostEvent = "object_lost";
 
+/// … of a trial in which the therapist lets an object go for the person.
+inline constexpr const char* kLetGoEvent = "let_go";
+
 /// What goes to the recorder, in order.
 struct RecordItem {
   enum class Kind : std::uint8_t { begin, sample, end, event, prepared, finished };
@@ -36,7 +39,7 @@ struct RecordItem {
 };
 
 struct Command {
-  enum class Kind : std::uint8_t { prepare, begin, pause, resume, abort };
+  enum class Kind : std::uint8_t { prepare, begin, pause, resume, let_go, abort };
   Kind kind = Kind::pause;
   TrialSetup* setup = nullptr;         ///< begin
   Preparation* preparation = nullptr;  ///< prepare

@@ -158,6 +158,9 @@ class Apparatus {
   virtual void begin(Preparation& preparation) noexcept = 0;
   virtual void begin(TrialSetup& trial) noexcept = 0;
   virtual void end(TrialSetup& trial) noexcept = 0;
+  /// The therapist lets what is held in the running trial go for the person; false: nothing is, or
+  /// it is no object of the screen.
+  [[nodiscard]] virtual bool let_go() noexcept { return false; }
 
   // Of the newest frame.
   /// The acquisition writes here what it knows.

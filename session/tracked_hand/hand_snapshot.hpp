@@ -35,6 +35,8 @@ struct HandSnapshot : Moment {
   std::optional<EntryShown> entry;
   tasks::SpecialView special;    ///< of the running trial's task, beside its progress
   hand_world::GraspState grasp;  ///< of a task with an object; else blank
+  /// Pull above which a tie of this placement lets go; no ties: not measured [N].
+  double release_N = tasks::kNotMeasured;
 };
 
 /// What is on the patient's screen at this frame, decided here alone. Real-time safe.

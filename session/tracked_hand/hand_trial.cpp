@@ -77,7 +77,7 @@ void put_virtual_object(Sink& sink, const HandSnapshot& seen) {
 
 /// Why the assistance held, and why it let go.
 template <class Sink>
-void put_grasp(Sink& sink, const HandSnapshot& seen, double release_N) {
+void put_grasp(Sink& sink, const HandSnapshot& seen) {
   const hand_world::GraspState& grasp = seen.grasp;
   sink.begin("grasp");
   for (std::size_t d = 0; d < kDigitCount; ++d) {
@@ -87,8 +87,7 @@ void put_grasp(Sink& sink, const HandSnapshot& seen, double release_N) {
     sink.put(columns::touch_N[d], digit.normal_N);
     sink.put(columns::gap_m[d], digit.gap_m);
   }
-  sink.put(columns::release_pull_N,
-           grasp.level == hand_world::AssistanceLevel::off ? kUnknown : release_N);
+  sink.put(columns::release_pull_N, seen.release_N);
   sink.put(columns::grasp_digits, as_value(grasp.choice.digits));
   sink.put(columns::grasp_feasible, as_value(grasp.choice.feasible));
   sink.put(columns::grasp_G_min, grasp.choice.G_min);
@@ -116,7 +115,7 @@ void put_hand_row(Sink sink, const RowFrame& frame, const HandSnapshot& seen,
   if (trial.keeps_joints) put_joints(sink, seen);
   if (trial.objects) {
     put_virtual_object(sink, seen);
-    put_grasp(sink, seen, trial.objects->grasp.gains().release_N);
+    put_grasp(sink, seen);
   }
   put_timing(sink, frame);
 }

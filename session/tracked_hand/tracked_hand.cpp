@@ -192,8 +192,10 @@ void TrackedHand::begin(TrialSetup& setup) noexcept {
   trial_ = &static_cast<HandTrial&>(setup);
   shown_model_ = trial_->model;
   frames_ = lost_ = 0;
+  let_go_ = false;
   now_.special = {};
   now_.grasp = {};
+  now_.release_N = tasks::kNotMeasured;
 }
 
 void TrackedHand::end(TrialSetup&) noexcept {
@@ -201,6 +203,13 @@ void TrackedHand::end(TrialSetup&) noexcept {
   trial_ = nullptr;
   now_.special = {};
   now_.grasp = {};
+  now_.release_N = tasks::kNotMeasured;
+}
+
+bool TrackedHand::let_go() noexcept {
+  if (!now_.grasp.object_there || now_.grasp.helped) return false;
+  let_go_ = true;
+  return true;
 }
 
 void TrackedHand::step() noexcept {
@@ -219,6 +228,7 @@ void TrackedHand::step() noexcept {
   if (now_.grasp.object_there) input.X_WO = now_.grasp.object.X_WO;
   input.frames = frames_;
   input.lost = lost_;
+  input.let_go = std::exchange(let_go_, false);
   const tasks::TaskView view = trial_->task->step(input);
   now_.task = view;
   now_.special = view;
@@ -239,6 +249,9 @@ void TrackedHand::move() noexcept {
   if (task.order == tasks::ObjectOrder::place) ++placements_begun_;
   trial_->objects->obey(task);
   now_.grasp = trial_->objects->grasp.state();
+  now_.release_N = now_.grasp.level == hand_world::AssistanceLevel::off
+                       ? tasks::kNotMeasured
+                       : trial_->objects->grasp.gains().release_N;
 }
 
 void TrackedHand::show() noexcept {

@@ -72,6 +72,7 @@ class TrackedHand final : public Apparatus {
   void begin(Preparation& preparation) noexcept override;
   void begin(TrialSetup& trial) noexcept override;
   void end(TrialSetup& trial) noexcept override;
+  [[nodiscard]] bool let_go() noexcept override;
 
   [[nodiscard]] Moment& now() noexcept override { return now_; }
   [[nodiscard]] ApparatusFault fault() const noexcept override;
@@ -102,6 +103,7 @@ class TrackedHand final : public Apparatus {
   virtual_hand::HandModel shown_model_;  ///< whose angles are shown
   const EntryCapture* entry_ = nullptr;  ///< the newest that has ended
   HandTrial* trial_ = nullptr;
+  bool let_go_ = false;      ///< asked for; the next step of the task is told
   std::int64_t frames_ = 0;  ///< of the trial: those in which the hand was asked for …
   std::int64_t lost_ = 0;    ///< … and not seen
 };

@@ -92,7 +92,10 @@ class Operator {
   }
   /// Nothing applies: of the hand, or of the arm.
   void answer_screening() const {
-    press(windows_.presenter().state().measures_arm() ? "arm_screening_clear" : "screening_clear");
+    const SessionState& state = windows_.presenter().state();
+    press(state.measures_arm()    ? "arm_screening_clear"
+          : state.measures_hand() ? "hand_screening_clear"
+                                  : "screening_clear");
   }
 
   /// From an empty window to a device that has its zero; tasks are chosen one by one.

@@ -115,7 +115,10 @@ class Placement:
         asked = rows[np.isin(record.column("pause_cause")[rows], (0, 4))]
         flagged = record.columns["sample_flags"][asked] != 0
         self.scored = len(asked) > 0 and np.sum(flagged) / len(asked) <= 0.1
-        self.helped = bool(np.any(record.column("object_helped")[rows] == 1))
+        helped = np.flatnonzero(record.column("object_helped")[rows] == 1)
+        self.helped = len(helped) > 0
+        if self.helped:
+            rows = rows[:helped[0]]
         rows = rows[record.clean[rows] & (record.phase[rows] != 4)]
         self.t = np.concatenate(([0.0], np.cumsum(record.hold[rows])[:-1])) if len(rows) else np.array([])
         true = lambda name: record.column(name)[rows] == 1
@@ -193,4 +196,4 @@ def score_virtual_pick_place(results, task, record):
         add("placement_axis_angle", mean_of([p.mean(p.axis) for p in held]))
         add("placement_angle", mean_of([p.mean(p.angle) for p in held]))
         add_censored(results, "object_release_time", channel, [p.release for p in asked], 10, selection)
-        add("releases_helped", float(sum(p.helped for p in asked)))
+        add("releases_helped", float(sum(p.helped for p in scored)))

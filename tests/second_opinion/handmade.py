@@ -215,7 +215,7 @@ def hand_opening(chance):
 
 
 def placements(chance):
-    """Objects that are carried, dropped, held at their target and let go, or are not."""
+    """Objects that are carried, dropped, held at their target and let go, or are not; or for the hand, at a key."""
     levels, rows = ("full", "softer", "off"), []
     own = chance.randrange(3)
     for number in range(6):
@@ -223,6 +223,7 @@ def placements(chance):
         target, held, asked, helped = np.array([chance.uniform(-0.1, 0.1), 0.2, 0]), 0, 0, 0
         place, leave = np.array([0, 0.11, 0]), chance.choice((0.3, 0.8, 20))
         reach, falls, wait = chance.choice((0.5, 1.2, 30)), chance.random() < 0.4, 0.0
+        key = chance.choice((math.inf, math.inf, 0.2, reach + 1.3))
         for k in range(int(100 * (reach + 1.4 + min(leave, 12)))):
             t = k / 100
             loose = falls and 0.3 < t < 0.62
@@ -232,7 +233,7 @@ def placements(chance):
             asked = reach + 1.2 < t
             wait = wait + 0.01 if asked else 0.0
             touched = held and wait < leave and wait < 10.5
-            helped = wait >= 10
+            helped = wait >= 10 or t >= key
             tilt = (1 - share) * 0.5
             rows.append([1.0 if asked else 2.0, number, level, eased, asked, helped, held and touched, touched,
                          k < 10 or (loose and t > 0.45), *(target + away), *target, math.cos(tilt / 2), math.sin(tilt / 2), 0, 0,

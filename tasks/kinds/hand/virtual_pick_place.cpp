@@ -119,7 +119,8 @@ class VirtualPickPlace final : public Task {
     frames_before_ = hand.frames;
     lost_before_ = hand.lost;
     free_s_.reset();
-    helped_ = false;
+    helped_s_.reset();
+    help_asked_ = false;
     stage_ = Stage::carrying;
     ++shown_;
   }
@@ -127,17 +128,20 @@ class VirtualPickPlace final : public Task {
   void go_on(const HandInput& hand, TaskView& view, HandView& of) noexcept {
     const double t_s = seen_s_;
     view.target_index = static_cast<int>(next_);
+    help_asked_ = help_asked_ || hand.let_go;  // also while the hand is not seen
     if (hand.seen) {
       seen_s_ += period_s_;  // as the score adds up its rows
-      if (stage_ == Stage::carrying)
+      if (help_asked_ && !helped_s_)
+        help(t_s, of);
+      else if (stage_ == Stage::carrying)
         carry(hand, t_s, of);
       else
         let_go(hand, t_s, of);
     }
     const bool carried = stage_ == Stage::carrying;
     view.phase = !carried ? Phase::active : watch_.there_since_s() ? Phase::hold : Phase::transport;
-    view.cue = carried ? Cue::move : Cue::let_go;
-    view.hold_fraction = carried ? watch_.hold_fraction(t_s) : 1.0;
+    view.cue = carried ? Cue::move : watch_.done() ? Cue::let_go : Cue::relax;
+    view.hold_fraction = carried ? watch_.hold_fraction(t_s) : watch_.done() ? 1.0 : 0.0;
     describe(of);
     if (ending_) end(hand, of);
   }
@@ -157,7 +161,7 @@ class VirtualPickPlace final : public Task {
 
   void let_go(const HandInput& hand, double t_s, HandView& of) noexcept {
     if (stage_ == Stage::falling) {
-      ending_ = t_s - done_s_ >= VirtualPickPlaceSpec::kReleaseLimit_s + kFallsAway_s;
+      ending_ = t_s - *helped_s_ >= kFallsAway_s;
       return;
     }
     if (hand.touched)
@@ -165,8 +169,12 @@ class VirtualPickPlace final : public Task {
     else if (!free_s_)
       free_s_ = t_s;
     ending_ = free_s_ && t_s - *free_s_ >= VirtualPickPlaceSpec::kFree_s;
-    if (ending_ || t_s - done_s_ < VirtualPickPlaceSpec::kReleaseLimit_s) return;
-    helped_ = true;
+    if (!ending_ && t_s - done_s_ >= VirtualPickPlaceSpec::kReleaseLimit_s) help(t_s, of);
+  }
+
+  /// The object is let go for the person: at the end of the time, or at the therapist's key.
+  void help(double t_s, HandView& of) noexcept {
+    helped_s_ = t_s;
     stage_ = Stage::falling;
     of.order = ObjectOrder::let_go;
   }
@@ -180,8 +188,8 @@ class VirtualPickPlace final : public Task {
     of.target_shown = true;
     of.X_WT = X_WT_;
     of.at_target = watch_.there_since_s().has_value();
-    of.let_go_asked = stage_ == Stage::letting_go || stage_ == Stage::falling;
-    of.helped = helped_;
+    of.let_go_asked = watch_.done();
+    of.helped = helped_s_.has_value();
   }
 
   void end(const HandInput& hand, HandView& of) noexcept {
@@ -220,7 +228,8 @@ class VirtualPickPlace final : public Task {
   std::int64_t lost_before_ = 0;
   double done_s_ = 0.0;
   std::optional<double> free_s_;
-  bool helped_ = false;
+  std::optional<double> helped_s_;  ///< when it was let go for the person
+  bool help_asked_ = false;
   bool failed_ = false;
   bool ending_ = false;
 };

@@ -99,8 +99,9 @@ class PlacementReader {
       const double pause = value(columns::pause_cause, row);
       if (pause == kNoPause || pause == kOutOfSight)
         placement.lost.add(!(value(columns::sample_flags, row) == 0.0));
+      // What an object does that was let go for the person is none of the hand's doing.
       placement.helped = placement.helped || is_one(columns::object_helped, row);
-      if (!record_.counts(row)) continue;
+      if (placement.helped || !record_.counts(row)) continue;
       // The clock of a placement counts the rows in which the hand was seen.
       rows.push_back({seen_s, is_one(columns::object_held, row),
                       is_one(columns::object_supported, row),
@@ -168,8 +169,8 @@ class ChannelScore {
     add_error(distance_, score.hold_distance_m);
     add_error(axis_, score.hold_axis_angle_rad);
     add_error(angle_, score.hold_geodesic_rad);
-    if (!placement.asked_to_let_go) return;
     helped_ += placement.helped ? 1 : 0;
+    if (!placement.asked_to_let_go) return;
     if (placement.release_s)
       released_.push_back({*placement.release_s, std::nullopt});
     else

@@ -335,6 +335,30 @@ TEST(TrackedHand, FromFrameToPublishedStateNothingIsAllocated) {
   }
 }
 
+TEST(TrackedHand, TheTherapistLetsTheObjectGoAndItsPlacementEnds) {
+  HandBench bench;
+  bench.start();
+  ASSERT_TRUE(bench.enter().accepted);
+  const auto ask = [&] {
+    EXPECT_TRUE(bench.acquisition_->commands().push({.kind = Command::Kind::let_go}));
+  };
+  bench.begin(library_task("virtual_place_first.toml"));
+  ask();  // before there is anything to let go
+  while (!bench.now().grasp.object_there) bench.run(0.01);
+  EXPECT_TRUE(bench.told().events.empty());
+  bench.run(1.0);
+  ask();
+  const auto before = test::allocations();
+  ASSERT_TRUE(bench.acquisition_->tick());
+  EXPECT_EQ(test::allocations(), before);
+  EXPECT_TRUE(bench.now().grasp.helped);
+  bench.run(1.1);
+  EXPECT_FALSE(bench.now().grasp.object_there) << "the placement has ended";
+  EXPECT_EQ(bench.told().events, std::vector<std::string>{kLetGoEvent});
+  while (!bench.now().grasp.object_there) bench.run(0.01);
+  EXPECT_FALSE(bench.now().grasp.helped) << "the next one is the hand's own";
+}
+
 TEST(TrackedHand, EveryColumnOfATrialHasItsMeaning) {
   HandBench bench;
   must(bench.hand_->know_person(std::nullopt, true));

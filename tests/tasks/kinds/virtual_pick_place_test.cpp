@@ -290,6 +290,55 @@ TEST(VirtualPickPlace, AHandThatDoesNotOpenEndsThePlacementByHelp) {
   EXPECT_EQ(play.value("object_release_time_restricted", "off"), 10.0);
 }
 
+TEST(VirtualPickPlace, TheTherapistsKeyLetsGoOfWhatWasPlacedAndTheHandHasNotLetGo) {
+  Play play(two_placements());
+  play.wait_for_object();
+  play.place();
+  play.run(3.9);
+  ASSERT_TRUE(play.view.hand().let_go_asked);
+  play.input.let_go = true;
+  play.step();
+  play.input.let_go = false;
+  EXPECT_EQ(play.count(ObjectOrder::let_go), 1);
+  EXPECT_TRUE(play.view.hand().helped);
+  play.open();  // it falls through the hand
+  play.run(1.5);
+  EXPECT_EQ(play.count(ObjectOrder::remove), 1);
+  EXPECT_EQ(play.view.targets_reached, 1);
+  EXPECT_EQ(play.value("placement_fails", "off"), 0.0);
+  EXPECT_EQ(play.value("releases_helped", "off"), 1.0);
+  EXPECT_TRUE(std::isnan(play.value("object_release_time", "off"))) << "not the hand's doing";
+  EXPECT_EQ(play.value("object_release_time_restricted", "off"), 10.0);
+}
+
+TEST(VirtualPickPlace, TheTherapistsKeyEndsAPlacementOnItsWayAndThatIsNoDrop) {
+  Play play(two_placements());
+  play.wait_for_object();
+  play.hold(0.2);
+  play.run(2.0);
+  // It is kept until the hand is seen again.
+  play.input.seen = false;
+  play.input.let_go = true;
+  play.step();
+  play.input.let_go = false;
+  EXPECT_EQ(play.count(ObjectOrder::let_go), 0);
+  play.input.seen = true;
+  play.step();
+  EXPECT_EQ(play.count(ObjectOrder::let_go), 1);
+  EXPECT_TRUE(play.view.hand().helped);
+  EXPECT_FALSE(play.view.hand().let_go_asked) << "nobody asked the hand to open";
+  play.open();
+  play.run(1.5);
+  EXPECT_EQ(play.count(ObjectOrder::remove), 1);
+  EXPECT_EQ(play.count(ObjectOrder::reset), 0);
+  EXPECT_EQ(play.value("placement_fails", "off"), 0.0);
+  EXPECT_EQ(play.value("placements_completed", "off"), 0.0);
+  EXPECT_EQ(play.value("releases_helped", "off"), 1.0);
+  play.wait_for_object();
+  EXPECT_EQ(play.view.hand().placement, 1) << "the next one";
+  EXPECT_FALSE(play.view.hand().helped);
+}
+
 TEST(VirtualPickPlace, ThreeFailsEaseTheTrainingAndAreMarked) {
   VirtualPickPlaceSpec spec = two_placements();
   spec.assistance = AssistanceLevel::softer;

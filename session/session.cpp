@@ -100,9 +100,6 @@ void Session::pause() {
 void Session::resume() {
   (void)parts_->send({.kind = Command::Kind::resume});
 }
-void Session::let_go() {
-  (void)parts_->send({.kind = Command::Kind::let_go});
-}
 void Session::abort(Words reason) {
   (void)parts_->send({.kind = Command::Kind::abort, .reason = reason});
 }
@@ -216,6 +213,10 @@ std::optional<Error> Session::failure() const {
 bool Session::is_to_stop() const noexcept {
   const auto* const stop = parts_->config.stop;
   return stop != nullptr && stop->load(std::memory_order_relaxed);
+}
+
+void let_go(Session& session) {
+  (void)session.parts_->send({.kind = Command::Kind::let_go});
 }
 
 const ArmSnapshot* arm_of(Session& session) noexcept {

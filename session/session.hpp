@@ -143,9 +143,6 @@ class Session {
   /// The trial stands still until resume(); task clock and object freeze, recording goes on.
   void pause();
   void resume();
-  /// The object on the screen is let go for the hand that holds it: its placement ends, is marked
-  /// helped and is no drop. Nothing happens where there is none.
-  void let_go();
   /// Ends the trial; it is kept and marked aborted. `reason` is stored with it, in English.
   void abort(Words reason = "Stopped by the therapist."_text);
   /// A remark at this moment of the session, stored with it.
@@ -184,8 +181,13 @@ class Session {
   struct Parts;
   struct Opening;
   explicit Session(std::unique_ptr<Parts> parts);
+  friend void let_go(Session& session);
   std::unique_ptr<Parts> parts_;
 };
+
+/// The object on the screen is let go for the tracked hand that holds it: its placement ends, is
+/// marked helped and is no drop. Nothing happens where there is none. Owner thread.
+void let_go(Session& session);
 
 /// Newest state with all that is known of an arm seen by markers; null: it is something else.
 /// Wait-free. Owner thread.

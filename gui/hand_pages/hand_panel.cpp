@@ -22,18 +22,18 @@ QString criterion_number(double value) {
 
 QString criterion_title(std::size_t which) {
   switch (which) {
-    case 0: return HandPanel::tr("Object held in its weakest direction (G min)");
-    case 1: return HandPanel::tr("Hand moves it in its weakest direction (H min)");
-    default: return HandPanel::tr("Hand moves it on the whole (H det)");
+    case 0: return HandPanel::tr("Hold, weakest direction (G min)");
+    case 1: return HandPanel::tr("Hand, weakest direction (H min)");
+    default: return HandPanel::tr("Hand, on the whole (H det)");
   }
 }
 
-/// "90 pictures a second · 2 % of the last 10 s not seen · lost 3 times"
+/// "90 pictures a second · 2 % of the last 10 s not seen · times lost: 3"
 QString tracker_words(const TrackerWatch& watch) {
   const auto rate_Hz = watch.rate_Hz();
   const auto lost = watch.lost_percent();
   if (!rate_Hz || !lost) return HandPanel::tr("Counting the pictures of the tracker …");
-  return HandPanel::tr("%1 pictures a second · %2 % of the last 10 s not seen · lost %3 times")
+  return HandPanel::tr("%1 pictures a second · %2 % of the last 10 s not seen · times lost: %3")
       .arg(QLocale().toString(*rate_Hz, 'f', 0), QLocale().toString(*lost, 'f', 0))
       .arg(watch.gaps());
 }
@@ -231,7 +231,8 @@ void HandPanel::show_digits(const std::optional<GraspLive>& live) {
 
 void HandPanel::show_criteria(const std::optional<GraspLive>& live) {
   const bool touches = live && live->criteria[0];
-  grasp_->setText(!touches         ? tr("Grasp: fewer than two fingers touch.")
+  grasp_->setText(!live            ? tr("Grasp: no object is there.")
+                  : !touches       ? tr("Grasp: fewer than two fingers touch.")
                   : live->feasible ? tr("Grasp: ✓ it holds, and may be helped.")
                                    : tr("Grasp: ✗ it does not hold yet."));
   for (std::size_t k = 0; k < criteria_.size(); ++k) {

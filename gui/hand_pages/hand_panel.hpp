@@ -10,9 +10,9 @@
 #include <QPushButton>
 #include <array>
 
+#include "gui/hand_rules/hand_live.hpp"
 #include "gui/look/card.hpp"
 #include "gui/presenter/session_presenter.hpp"
-#include "gui/rules/hand_live.hpp"
 
 namespace isograsp::gui {
 

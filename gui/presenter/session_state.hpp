@@ -14,6 +14,8 @@
 #include <vector>
 
 #include "core/histogram.hpp"
+#include "gui/hand_rules/hand_live.hpp"
+#include "gui/hand_rules/hand_screening.hpp"
 #include "gui/library/session_library.hpp"
 #include "gui/look/force_history.hpp"
 #include "gui/look/marker_history.hpp"
@@ -22,8 +24,6 @@
 #include "gui/rules/arm_screening.hpp"
 #include "gui/rules/arm_space.hpp"
 #include "gui/rules/flow.hpp"
-#include "gui/rules/hand_live.hpp"
-#include "gui/rules/hand_screening.hpp"
 #include "gui/rules/picture_check.hpp"
 #include "gui/rules/practice_clock.hpp"
 #include "gui/rules/presentation.hpp"

@@ -103,7 +103,7 @@ void Trials::stop() {
 }
 
 void Trials::let_go() {
-  if (flow_.view().may_let_go) state_.open->session->let_go();
+  if (flow_.view().may_let_go) session::let_go(*state_.open->session);
 }
 
 void Trials::start_pause_resume() {

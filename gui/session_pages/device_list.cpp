@@ -55,9 +55,9 @@ std::vector<DeviceChoice> list_devices(const std::string& preset,
   choices.push_back(
       {text(DeviceListTexts::tr("Simulated arm, paretic")), "sim://arm?patient=paretic&seed=7"});
   choices.push_back(
-      {text(DeviceListTexts::tr("Hand, seen by the Leap service here")), "leap://127.0.0.1"});
+      {text(DeviceListTexts::tr("Hand, by the Leap service here")), "leap://127.0.0.1"});
   choices.push_back(
-      {text(DeviceListTexts::tr("Hand, sent by a script here")), "udp-hand://127.0.0.1:6440"});
+      {text(DeviceListTexts::tr("Hand, by a script here")), "udp-hand://127.0.0.1:6440"});
   choices.push_back({text(DeviceListTexts::tr("Simulated tracked hand, healthy")),
                      "sim://hand?user=healthy&seed=7"});
   choices.push_back({text(DeviceListTexts::tr("Simulated tracked hand, paretic")),

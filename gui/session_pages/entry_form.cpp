@@ -80,7 +80,6 @@ void EntryForm::refresh() {
   result_->setText(!refusal.empty() ? translated(refusal)
                    : passed         ? widest_words(open->hand->opening_m)
                                     : QString());
-  result_->setProperty("role", refusal.empty() ? QVariant() : QVariant("problem"));
   result_->setVisible(!result_->text().isEmpty() && progress_->isHidden());
   refresh_light();
 }

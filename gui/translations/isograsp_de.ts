@@ -234,20 +234,20 @@
         <translation>Simulierter Arm, paretisch</translation>
     </message>
     <message>
-        <source>Hand, seen by the Leap service here</source>
-        <translation>Hand, gesehen vom Leap-Dienst hier</translation>
-    </message>
-    <message>
-        <source>Hand, sent by a script here</source>
-        <translation>Hand, gesendet von einem Skript hier</translation>
-    </message>
-    <message>
         <source>Simulated tracked hand, healthy</source>
         <translation>Simulierte verfolgte Hand, gesund</translation>
     </message>
     <message>
         <source>Simulated tracked hand, paretic</source>
         <translation>Simulierte verfolgte Hand, paretisch</translation>
+    </message>
+    <message>
+        <source>Hand, by the Leap service here</source>
+        <translation>Hand, vom Leap-Dienst hier</translation>
+    </message>
+    <message>
+        <source>Hand, by a script here</source>
+        <translation>Hand, von einem Skript hier</translation>
     </message>
 </context>
 <context>
@@ -3376,24 +3376,8 @@ Neu verbunden: %7</translation>
 <context>
     <name>isograsp::gui::HandPanel</name>
     <message>
-        <source>Object held in its weakest direction (G min)</source>
-        <translation>Halt des Objekts in der schwächsten Richtung (G min)</translation>
-    </message>
-    <message>
-        <source>Hand moves it in its weakest direction (H min)</source>
-        <translation>Hand bewegt es in der schwächsten Richtung (H min)</translation>
-    </message>
-    <message>
-        <source>Hand moves it on the whole (H det)</source>
-        <translation>Hand bewegt es insgesamt (H det)</translation>
-    </message>
-    <message>
         <source>Counting the pictures of the tracker …</source>
         <translation>Bilder der Handverfolgung werden gezählt …</translation>
-    </message>
-    <message>
-        <source>%1 pictures a second · %2 % of the last 10 s not seen · lost %3 times</source>
-        <translation>%1 Bilder je Sekunde · %2 % der letzten 10 s nicht gesehen · %3 Mal verloren</translation>
     </message>
     <message>
         <source>Live hand</source>
@@ -3486,6 +3470,26 @@ Neu verbunden: %7</translation>
     <message>
         <source>above %1</source>
         <translation>über %1</translation>
+    </message>
+    <message>
+        <source>Hold, weakest direction (G min)</source>
+        <translation>Halt, schwächste Richtung (G min)</translation>
+    </message>
+    <message>
+        <source>Hand, weakest direction (H min)</source>
+        <translation>Hand, schwächste Richtung (H min)</translation>
+    </message>
+    <message>
+        <source>Hand, on the whole (H det)</source>
+        <translation>Hand, insgesamt (H det)</translation>
+    </message>
+    <message>
+        <source>%1 pictures a second · %2 % of the last 10 s not seen · times lost: %3</source>
+        <translation>%1 Bilder je Sekunde · %2 % der letzten 10 s nicht gesehen · Mal verloren: %3</translation>
+    </message>
+    <message>
+        <source>Grasp: no object is there.</source>
+        <translation>Griff: Es ist kein Objekt da.</translation>
     </message>
 </context>
 <context>

@@ -234,20 +234,20 @@
         <translation>Bras simulé, parétique</translation>
     </message>
     <message>
-        <source>Hand, seen by the Leap service here</source>
-        <translation>Main, vue par le service Leap d’ici</translation>
-    </message>
-    <message>
-        <source>Hand, sent by a script here</source>
-        <translation>Main, envoyée par un script d’ici</translation>
-    </message>
-    <message>
         <source>Simulated tracked hand, healthy</source>
         <translation>Main suivie simulée, saine</translation>
     </message>
     <message>
         <source>Simulated tracked hand, paretic</source>
         <translation>Main suivie simulée, parétique</translation>
+    </message>
+    <message>
+        <source>Hand, by the Leap service here</source>
+        <translation>Main, par le service Leap d’ici</translation>
+    </message>
+    <message>
+        <source>Hand, by a script here</source>
+        <translation>Main, par un script d’ici</translation>
     </message>
 </context>
 <context>
@@ -3376,24 +3376,8 @@ Reconnecté&#xa0;: %7</translation>
 <context>
     <name>isograsp::gui::HandPanel</name>
     <message>
-        <source>Object held in its weakest direction (G min)</source>
-        <translation>Tenue de l’objet dans la direction la plus faible (G min)</translation>
-    </message>
-    <message>
-        <source>Hand moves it in its weakest direction (H min)</source>
-        <translation>Mouvement par la main, direction la plus faible (H min)</translation>
-    </message>
-    <message>
-        <source>Hand moves it on the whole (H det)</source>
-        <translation>Mouvement par la main, dans l’ensemble (H det)</translation>
-    </message>
-    <message>
         <source>Counting the pictures of the tracker …</source>
         <translation>Comptage des images du suivi …</translation>
-    </message>
-    <message>
-        <source>%1 pictures a second · %2 % of the last 10 s not seen · lost %3 times</source>
-        <translation>%1 images par seconde · %2 % des 10 dernières s non vues · perdue %3 fois</translation>
     </message>
     <message>
         <source>Live hand</source>
@@ -3486,6 +3470,26 @@ Reconnecté&#xa0;: %7</translation>
     <message>
         <source>above %1</source>
         <translation>plus de %1</translation>
+    </message>
+    <message>
+        <source>Hold, weakest direction (G min)</source>
+        <translation>Tenue, direction la plus faible (G min)</translation>
+    </message>
+    <message>
+        <source>Hand, weakest direction (H min)</source>
+        <translation>Main, direction la plus faible (H min)</translation>
+    </message>
+    <message>
+        <source>Hand, on the whole (H det)</source>
+        <translation>Main, dans l’ensemble (H det)</translation>
+    </message>
+    <message>
+        <source>%1 pictures a second · %2 % of the last 10 s not seen · times lost: %3</source>
+        <translation>%1 images par seconde · %2 % des 10 dernières s non vues · perdue, fois&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>Grasp: no object is there.</source>
+        <translation>Prise&#xa0;: aucun objet.</translation>
     </message>
 </context>
 <context>

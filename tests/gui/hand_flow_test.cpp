@@ -130,7 +130,7 @@ TEST(HandFlow, NoSentenceSpeaksOfForcesOrOfADeviceThatSomebodyHolds) {
     f.stage = session::Stage::paused;
     f.pause_cause = session::PauseCause::occluded;
   });
-  for (const FlowFacts& facts : isograsp::test::every(all)) {
+  for (const FlowFacts& facts : test::every(all)) {
     const FlowView view = decide(facts);
     EXPECT_FALSE(view.sentence.empty());
     for (const std::string& words : {view.sentence, view.device_words, view.start_hint})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gui/rules/hand_live.hpp"
+#include "gui/hand_rules/hand_live.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,8 @@ std::optional<GraspLive> grasp_live(const session::HandSnapshot& now) noexcept {
   if (std::isfinite(now.release_N)) live.release_N = now.release_N;
   for (std::size_t d = 0; d < kDigitCount; ++d) {
     const hand_world::DigitGrasp& digit = grasp.digits[d];
-    live.digits[d] = {digit.state, digit.pull_N, std::nullopt};
+    // One that presses does not pull.
+    live.digits[d] = {digit.state, std::max(0.0, digit.pull_N), std::nullopt};
     if (digit.state == virtual_hand::DigitState::attached && live.release_N)
       live.digits[d].share = std::clamp(digit.pull_N / *live.release_N, 0.0, 1.0);
   }

@@ -31,6 +31,7 @@
 #include "session/compensation.hpp"
 #include "session/rest_watch.hpp"
 #include "session/session.hpp"
+#include "session/tracked_hand/hand_snapshot.hpp"
 #include "session/work_limits.hpp"
 
 namespace isograsp::gui {
@@ -184,6 +185,8 @@ struct OpenSession {
   session::Snapshot snapshot;                 ///< of an arm: what every session has
   std::optional<session::ArmSnapshot> arm;    ///< nothing: it is no arm, or nothing has come
   std::shared_ptr<const ArmSpace> arm_space;  ///< null: it is no arm
+  /// Nothing: it is no tracked hand, or nothing has come.
+  std::optional<session::HandSnapshot> tracked;
   StillWatch still;
   PictureCheck picture_check;
   Preparation preparation;

@@ -22,6 +22,9 @@ namespace isograsp::gui {
 
 namespace {
 
+/// A hand holds its object from above: ring and tick stand below it, by so many diameters.
+constexpr double kBelowHand = 1.3;
+
 QSurfaceFormat compatible_format(int samples) {
   QSurfaceFormat format;
   format.setVersion(2, 1);
@@ -260,10 +263,10 @@ void PatientWindow::draw_object(const PatientPicture& picture, const QRect& cont
       QPainter mark(&tick_);
       paint_check(mark, QPointF(diameter / 2.0, diameter / 2.0), 0.44 * diameter);
     }
-    // Above the object, which is to be seen; below it where a hand holds it from above.
-    const double away = hand ? -0.8 : 1.9;
+    // Above the object, which is to be seen.
+    const double above = hand ? 0.5 - kBelowHand : 1.9;
     const auto place = project(picture.X_WO.p);
-    painter.drawImage(place - QPointF(diameter / 2.0, away * diameter), tick_);
+    painter.drawImage(place - QPointF(diameter / 2.0, above * diameter), tick_);
   }
   if (picture.hold_fraction > 0.0) {
     const int diameter = size.height() / 8;
@@ -276,7 +279,8 @@ void PatientWindow::draw_object(const PatientPicture& picture, const QRect& cont
                       picture.hold_fraction);
     }
     const auto place = project(picture.ring_W);
-    painter.drawImage(place - QPointF(diameter / 2.0, diameter / 2.0), ring_);
+    const double below = hand ? kBelowHand * diameter : 0.0;
+    painter.drawImage(place - QPointF(diameter / 2.0, diameter / 2.0 - below), ring_);
   }
   painter.drawImage(0, 0, banner_);
   if (hand) draw_footer(picture, area, painter);

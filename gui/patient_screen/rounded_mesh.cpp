@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each direction of a globe has one point of the hull: that of the ball which reaches farthest
-// there. Its normal is the direction, so what is flat between two balls comes out flat by itself.
+// there, or between balls that reach about as far. Its normal is the direction, so what is flat
+// between two balls comes out flat by itself, and what is nearly flat has no edges.
 #include "gui/patient_screen/rounded_mesh.hpp"
 
 #include <algorithm>
@@ -14,6 +15,27 @@
 
 namespace isograsp::gui::scene_nodes {
 
+namespace {
+
+/// Within the hull, and by no more than this from it [m], times the logarithm of their number.
+constexpr double kSoft_m = 0.0008;
+
+Vec3 point_of(const std::vector<Ball>& balls, const Vec3& way) {
+  const auto reach_m = [&way](const Ball& ball) { return ball.p.dot(way) + ball.radius_m; };
+  double most_m = reach_m(balls.front());
+  for (const Ball& ball : balls) most_m = std::max(most_m, reach_m(ball));
+  Vec3 sum = Vec3::Zero();
+  double weights = 0.0;
+  for (const Ball& ball : balls) {
+    const double weight = std::exp((reach_m(ball) - most_m) / kSoft_m);
+    sum += weight * (ball.p + ball.radius_m * way);
+    weights += weight;
+  }
+  return sum / weights;
+}
+
+}  // namespace
+
 SoNode* make_rounded(const std::vector<Ball>& balls, int fine) {
   const int rings = fine;
   const int sectors = 2 * fine;
@@ -24,11 +46,7 @@ SoNode* make_rounded(const std::vector<Ball>& balls, int fine) {
       const double phi = 2.0 * std::numbers::pi * j / sectors;
       const Vec3 way(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
                      std::cos(theta));
-      const auto reach = [&way](const Ball& ball) { return ball.p.dot(way) + ball.radius_m; };
-      const Ball& farthest =
-          *std::max_element(balls.begin(), balls.end(),
-                            [&](const Ball& a, const Ball& b) { return reach(a) < reach(b); });
-      points.push_back(to_sb(Vec3(farthest.p + farthest.radius_m * way)));
+      points.push_back(to_sb(point_of(balls, way)));
       normals.push_back(to_sb(way));
     }
   std::vector<int32_t> strips;

@@ -29,9 +29,9 @@ Result<tasks::TaskSpec> Work::at_chosen_level(const tasks::TaskSpec& spec) const
 }
 
 void OpenSession::look() {
-  if (const session::HandSnapshot* const hand = session::hand_of(*session)) {
-    tracked = *hand;
-    static_cast<session::Moment&>(snapshot) = *hand;  // one frame, not two
+  if (const session::HandSnapshot* const seen = session::hand_of(*session)) {
+    hand = *seen;
+    static_cast<session::Moment&>(snapshot) = *seen;  // one frame, not two
     return;
   }
   const session::ArmSnapshot* const newest = session::arm_of(*session);

@@ -18,12 +18,12 @@
 #include "gui/look/force_history.hpp"
 #include "gui/look/marker_history.hpp"
 #include "gui/presenter/gui_config.hpp"
+#include "gui/presenter/practice_clock.hpp"
 #include "gui/rules/arm_live.hpp"
 #include "gui/rules/arm_screening.hpp"
 #include "gui/rules/arm_space.hpp"
 #include "gui/rules/flow.hpp"
 #include "gui/rules/picture_check.hpp"
-#include "gui/rules/practice_clock.hpp"
 #include "gui/rules/presentation.hpp"
 #include "gui/rules/protocol_guide.hpp"
 #include "gui/rules/screening.hpp"
@@ -186,7 +186,7 @@ struct OpenSession {
   std::optional<session::ArmSnapshot> arm;    ///< nothing: it is no arm, or nothing has come
   std::shared_ptr<const ArmSpace> arm_space;  ///< null: it is no arm
   /// Nothing: it is no tracked hand, or nothing has come.
-  std::optional<session::HandSnapshot> tracked;
+  std::optional<session::HandSnapshot> hand;
   StillWatch still;
   PictureCheck picture_check;
   Preparation preparation;

@@ -27,7 +27,7 @@ struct HandPictureTexts {
 };
 
 /// Out of sight for longer than its last pose may stand in.
-bool is_lost(const session::HandSnapshot& now) {
+bool hand_is_lost(const session::HandSnapshot& now) {
   return session::hand_reception(now.hand, now.health.fault).sight !=
          session::Reception::Sight::clear;
 }
@@ -60,7 +60,7 @@ HandPicture::Mark mark_of(const HandPicture& picture, std::size_t digit) {
 void add_hands(const session::HandSnapshot& now, HandPicture& picture) {
   picture.radii_m = now.link_radii_m;
   picture.hand = now.seen_hand;
-  picture.frozen = picture.hand && is_lost(now);
+  picture.frozen = picture.hand && hand_is_lost(now);
   if (!now.grasp.hand_there || !now.grasping_hand) return;
   picture.hand = now.grasping_hand;
   const double apart = (now.grasp.tracked_gap_m - kSamePlace_m) / (kClearlyApart_m - kSamePlace_m);
@@ -93,7 +93,7 @@ void say_of_hand(PatientPicture& picture, const QString& headline, const QString
 
 /// It stands still; nobody is to do anything in a hurry.
 bool say_unseen(const session::HandSnapshot& now, Hand side, PatientPicture& picture) {
-  if (!is_lost(now)) return false;
+  if (!hand_is_lost(now)) return false;
   if (now.health.fault == HandFault::other_hand)
     say_of_hand(picture,
                 side == Hand::right ? HandPictureTexts::tr("Please show your right hand")

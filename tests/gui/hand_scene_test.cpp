@@ -76,7 +76,8 @@ class HandSceneDrawn : public QtTest {
       return scene_->project(p_W, part.size()) + part.topLeft();
     };
     if (picture.hold_fraction > 0.0)
-      paint_hold_ring(painter, project(picture.ring_W), 32.0, picture.hold_fraction);
+      paint_hold_ring(painter, project(picture.ring_W) + QPointF(0.0, 104.0), 32.0,
+                      picture.hold_fraction);
     if (picture.matched) paint_check(painter, project(picture.X_WO.p) + QPointF(0.0, 104.0), 35.0);
     paint_banner(painter, area, picture);
     paint_footer(painter, area, picture);

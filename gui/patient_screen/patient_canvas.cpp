@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "gui/look/look.hpp"
+#include "gui/patient_screen/hand_footer.hpp"
 #include "gui/patient_screen/patient_directions.hpp"
 #include "gui/patient_screen/patient_ink.hpp"
 #include "gui/patient_screen/patient_range.hpp"
@@ -293,6 +294,7 @@ void paint_page(QPainter& painter, const QRectF& area, const PatientPicture& pic
     default: draw_message(painter, area, picture);
   }
   if (picture.progress_shown) draw_progress(painter, area, picture.progress);
+  paint_camera_sign(painter, area, picture);
   paint_notice(painter, area, picture);
   draw_badge(painter, area, picture);
 }

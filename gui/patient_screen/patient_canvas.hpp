@@ -11,7 +11,7 @@
 
 namespace isograsp::gui {
 
-/// Everything of a page without an object. @pre picture.page != Page::object
+/// Everything of a flat page. @pre picture.page is neither Page::object nor Page::hand
 void paint_page(QPainter& painter, const QRectF& area, const PatientPicture& picture);
 
 /// The strip over the 3D picture: instruction, targets reached, "simulated".

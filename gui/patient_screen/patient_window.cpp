@@ -10,15 +10,20 @@
 #include <QPainter>
 #include <QScreen>
 #include <algorithm>
+#include <cmath>
 
 #include <GL/gl.h>
 
+#include "gui/patient_screen/hand_footer.hpp"
 #include "gui/patient_screen/patient_canvas.hpp"
 #include "gui/patient_screen/patient_ink.hpp"
 
 namespace isograsp::gui {
 
 namespace {
+
+/// A hand holds its object from above: ring and tick stand below it, by so many diameters.
+constexpr double kBelowHand = 1.3;
 
 QSurfaceFormat compatible_format(int samples) {
   QSurfaceFormat format;
@@ -72,6 +77,7 @@ PatientWindow::PatientWindow(SessionPresenter& presenter, const SettingsFile& se
 PatientWindow::~PatientWindow() {
   makeCurrent();
   scene_.reset();
+  hand_scene_.reset();
   doneCurrent();
 }
 
@@ -120,6 +126,7 @@ double PatientWindow::content_height_m() const {
 
 void PatientWindow::initializeGL() {
   scene_ = std::make_unique<ObjectScene>();
+  hand_scene_ = std::make_unique<HandScene>();
 }
 
 void PatientWindow::paintGL() {
@@ -127,17 +134,12 @@ void PatientWindow::paintGL() {
   stopwatch.start();
   shown_ = presenter_.patient_view().picture(content_height_m());
   const PatientPicture& picture = shown_;
-  const bool object = picture.page == PatientPicture::Page::object;
+  const bool solid =
+      picture.page == PatientPicture::Page::object || picture.page == PatientPicture::Page::hand;
   const QSize size = device_size();
   const QRect part = content();
-  if (object) {
-    const auto share = [](double value) { return static_cast<float>(value); };
-    glClearColor(share(ink::kPaper.redF()), share(ink::kPaper.greenF()), share(ink::kPaper.blueF()),
-                 1.0F);
-    glClear(GL_COLOR_BUFFER_BIT);
-    scene_->show(picture);
-    // OpenGL counts pixels from the lower left.
-    scene_->draw({part.x(), size.height() - part.y() - part.height(), part.width(), part.height()});
+  if (solid) {
+    draw_scene(picture, part);
   } else {
     if (page_.size() != size) page_ = QImage(size, QImage::Format_RGB32);
     QPainter painter(&page_);
@@ -150,7 +152,7 @@ void PatientWindow::paintGL() {
   {
     QPainter painter(this);
     painter.scale(1.0 / devicePixelRatio(), 1.0 / devicePixelRatio());
-    if (object)
+    if (solid)
       draw_object(picture, part, painter);
     else
       painter.drawImage(0, 0, page_);
@@ -160,6 +162,40 @@ void PatientWindow::paintGL() {
   sound();
   ++pictures_;
   drawing_s_ += static_cast<double>(stopwatch.nsecsElapsed()) * 1e-9;
+}
+
+void PatientWindow::draw_scene(const PatientPicture& picture, const QRect& content) {
+  const auto share = [](double value) { return static_cast<float>(value); };
+  glClearColor(share(ink::kPaper.redF()), share(ink::kPaper.greenF()), share(ink::kPaper.blueF()),
+               1.0F);
+  glClear(GL_COLOR_BUFFER_BIT);
+  // OpenGL counts pixels from the lower left.
+  const auto from_below = [this](const QRect& part) {
+    return QRect(part.x(), device_size().height() - part.y() - part.height(), part.width(),
+                 part.height());
+  };
+  if (picture.page == PatientPicture::Page::hand) {
+    hand_scene_->show(*picture.tracked_hand);
+    hand_scene_->draw(from_below(hand_area(content).toRect()));
+  } else {
+    scene_->show(picture);
+    scene_->draw(from_below(content));
+  }
+}
+
+void PatientWindow::draw_footer(const PatientPicture& picture, const QRectF& area,
+                                QPainter& painter) {
+  const int height = static_cast<int>(std::ceil(kFooterShare * area.height()));
+  const QString key =
+      QStringLiteral("%1|%2x%3").arg(footer_key(picture)).arg(area.width()).arg(height);
+  if (key != footer_key_) {
+    footer_key_ = key;
+    footer_ = QImage(static_cast<int>(area.width()), height, QImage::Format_RGB32);
+    QPainter strip(&footer_);
+    strip.translate(0, height - area.height());
+    paint_footer(strip, area, picture);
+  }
+  painter.drawImage(QPointF(0, area.height() - height), footer_);
 }
 
 /// What belongs to the picture that was drawn just now.
@@ -188,6 +224,12 @@ void PatientWindow::draw_object(const PatientPicture& picture, const QRect& cont
   painter.translate(content.topLeft());
   const QSize size = content.size();
   const QRectF area(QPointF(0, 0), QSizeF(size));
+  const bool hand = picture.page == PatientPicture::Page::hand;
+  const auto project = [&](const Vec3& p_W) {
+    if (!hand) return scene_->project(p_W, size);
+    const QRect drawn = hand_area(area).toRect();
+    return hand_scene_->project(p_W, drawn.size()) + drawn.topLeft();
+  };
   const QString key =
       QStringLiteral("%1|%2|%3|%4|%5x%6")
           .arg(QString::fromStdString(picture.headline), QString::fromStdString(picture.detail))
@@ -210,7 +252,7 @@ void PatientWindow::draw_object(const PatientPicture& picture, const QRect& cont
   for (const auto& finger : picture.fingers) {
     if (!finger.shown || !finger.touching) continue;
     constexpr double kBehindTip_m = 0.054;  // just behind the collar
-    const auto place = scene_->project(finger.tip_W - kBehindTip_m * finger.axis_W, size);
+    const auto place = project(finger.tip_W - kBehindTip_m * finger.axis_W);
     painter.drawImage(place - QPointF(check_.width() / 2.0, check_.height() / 2.0), check_);
   }
   if (picture.matched) {
@@ -222,8 +264,9 @@ void PatientWindow::draw_object(const PatientPicture& picture, const QRect& cont
       paint_check(mark, QPointF(diameter / 2.0, diameter / 2.0), 0.44 * diameter);
     }
     // Above the object, which is to be seen.
-    const auto place = scene_->project(picture.X_WO.p, size);
-    painter.drawImage(place - QPointF(diameter / 2.0, 1.9 * diameter), tick_);
+    const double above = hand ? 0.5 - kBelowHand : 1.9;
+    const auto place = project(picture.X_WO.p);
+    painter.drawImage(place - QPointF(diameter / 2.0, above * diameter), tick_);
   }
   if (picture.hold_fraction > 0.0) {
     const int diameter = size.height() / 8;
@@ -235,10 +278,12 @@ void PatientWindow::draw_object(const PatientPicture& picture, const QRect& cont
       paint_hold_ring(round, QPointF(diameter / 2.0, diameter / 2.0), 0.36 * diameter,
                       picture.hold_fraction);
     }
-    const auto place = scene_->project(picture.ring_W, size);
-    painter.drawImage(place - QPointF(diameter / 2.0, diameter / 2.0), ring_);
+    const auto place = project(picture.ring_W);
+    const double below = hand ? kBelowHand * diameter : 0.0;
+    painter.drawImage(place - QPointF(diameter / 2.0, diameter / 2.0 - below), ring_);
   }
   painter.drawImage(0, 0, banner_);
+  if (hand) draw_footer(picture, area, painter);
   if (picture.notice != PatientPicture::Notice::none) {
     QImage notice(size, QImage::Format_ARGB32_Premultiplied);
     notice.fill(Qt::transparent);

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "gui/patient_screen/hand_scene.hpp"
 #include "gui/patient_screen/object_scene.hpp"
 #include "gui/patient_screen/speaker.hpp"
 #include "gui/presenter/session_presenter.hpp"
@@ -45,7 +46,11 @@ class PatientWindow final : public QOpenGLWindow {
  private:
   void sound();
   void say_once(const QString& why);
+  /// What is solid of the picture. @pre picture.page is Page::object or Page::hand
+  void draw_scene(const PatientPicture& picture, const QRect& content);
+  /// What stands around it and over it.
   void draw_object(const PatientPicture& picture, const QRect& content, QPainter& painter);
+  void draw_footer(const PatientPicture& picture, const QRectF& area, QPainter& painter);
   [[nodiscard]] QSize device_size() const;
   /// Where everything stands, device pixels from the upper left.
   [[nodiscard]] QRect content() const;
@@ -59,9 +64,12 @@ class PatientWindow final : public QOpenGLWindow {
   Speaker speaker_;
   QStringList told_;  ///< reasons why there is no sound that the therapist was told already
   std::unique_ptr<ObjectScene> scene_;
+  std::unique_ptr<HandScene> hand_scene_;
   QImage page_;  ///< pages without an object are painted here: smooth edges without a GPU
   QImage banner_;
   QString banner_key_;
+  QImage footer_;
+  QString footer_key_;
   QImage check_;
   QImage ring_;
   QImage tick_;

@@ -5,6 +5,7 @@
 #include "gui/rules/patient_picture.hpp"
 #include "session/arm/arm_snapshot.hpp"
 #include "session/platform/snapshot.hpp"
+#include "session/tracked_hand/hand_snapshot.hpp"
 
 namespace isograsp::gui {
 
@@ -31,6 +32,17 @@ namespace isograsp::gui {
     facts.centre_W = now.start_p_WO;
   else if (now.last_X_WO.p.allFinite())
     facts.centre_W = now.last_X_WO.p;
+  return facts;
+}
+/// The same of a tracked hand.
+[[nodiscard]] inline PatientFacts patient_facts(const session::HandSnapshot& now) {
+  PatientFacts facts;
+  facts.arrived = now.frames > 0;
+  facts.stage = now.stage;
+  facts.pause_cause = now.pause_cause;
+  facts.published = now.published;
+  facts.stimulus = session::screen_of(now);
+  facts.tracked = now;
   return facts;
 }
 

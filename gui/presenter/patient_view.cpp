@@ -29,6 +29,7 @@ PatientView::PatientView(const ActContext& with)
 namespace {
 
 PatientFacts facts_of_frame(const OpenSession& open) {
+  if (open.hand) return patient_facts(*open.hand);
   return open.arm ? patient_facts(*open.arm) : patient_facts(open.snapshot);
 }
 

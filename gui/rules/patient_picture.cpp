@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "gui/rules/arm_picture.hpp"
+#include "gui/rules/hand_picture.hpp"
 #include "gui/words/cue_words.hpp"
 #include "gui/words/texts.hpp"
 
@@ -231,7 +232,9 @@ void add_trial(const PatientFacts& facts, PatientPicture& picture) {
   picture.progress_shown = seen.progress.duration_s > 0.0;
   if (picture.progress_shown)
     picture.progress = std::clamp(seen.progress.task_time_s / seen.progress.duration_s, 0.0, 1.0);
-  if (facts.arm != nullptr) {
+  if (facts.tracked) {
+    add_hand_trial(facts, picture);
+  } else if (facts.arm != nullptr) {
     add_arm(facts, picture);
   } else if (facts.scene != nullptr && seen.object_shown) {
     add_object(facts, picture);
@@ -253,6 +256,8 @@ void add_idle(const PatientFacts& facts, PatientPicture& picture) {
   if (facts.stage == session::Stage::zeroing && facts.arm != nullptr)
     return say(picture, Sign::wait, PictureTexts::tr("Hold your arm still"),
                PictureTexts::tr("For a moment, in the start posture"));
+  if (facts.stage == session::Stage::zeroing && facts.tracked)
+    return add_hand_between(facts, picture);
   if (facts.stage == session::Stage::zeroing)
     return say(picture, Sign::hand_out, PictureTexts::tr("Hands off, please"),
                PictureTexts::tr("The device measures itself."));
@@ -269,6 +274,7 @@ void add_idle(const PatientFacts& facts, PatientPicture& picture) {
                PictureTexts::tr("Please take your hand out of the device"));
   say(picture, Sign::wait, PictureTexts::tr("Relax your hand"),
       PictureTexts::tr("The next task will begin in a moment."));
+  if (facts.tracked) add_hand_between(facts, picture);
 }
 
 void add_notice(const PatientFacts& facts, PatientPicture& picture) {
@@ -279,9 +285,12 @@ void add_notice(const PatientFacts& facts, PatientPicture& picture) {
     picture.notice_words =
         (facts.arm != nullptr
              ? PictureTexts::tr("The cameras need help. You did nothing wrong. Relax your arm.")
+         : facts.tracked
+             ? PictureTexts::tr("The camera needs help. You did nothing wrong. Relax your hand.")
              : PictureTexts::tr("The device needs help. You did nothing wrong. Relax your hand."))
             .toStdString();
-  } else if (paused && !(facts.arm != nullptr && session::goes_on_by_itself(facts.pause_cause))) {
+  } else if (paused && !((facts.arm != nullptr || facts.tracked) &&
+                         session::goes_on_by_itself(facts.pause_cause))) {
     picture.notice = Notice::pause;
     picture.notice_words = PictureTexts::tr("Pause. Relax your hand.").toStdString();
   }
@@ -295,6 +304,7 @@ PatientPicture picture_for(const PatientFacts& facts) {
   picture.example = facts.example;
   picture.published = facts.published;
   picture.calm = facts.calm;
+  picture.camera_on = facts.tracked && facts.tracked->camera_on;
   const bool in_trial =
       facts.session_open &&
       (facts.stage == session::Stage::trial || facts.stage == session::Stage::paused) &&

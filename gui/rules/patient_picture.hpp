@@ -11,6 +11,7 @@
 
 #include "grasp_model/scene.hpp"
 #include "gui/rules/arm_space.hpp"
+#include "gui/rules/hand_picture.hpp"
 #include "gui/rules/presentation.hpp"
 #include "gui/rules/target_preview.hpp"
 #include "hand/stimulus.hpp"
@@ -37,6 +38,8 @@ struct PatientFacts {
   /// Of an arm seen by cameras, whose real object is drawn; null: there is none.
   std::shared_ptr<const ArmSpace> arm;
   Vec3 centre_W = Vec3::Zero();  ///< of its picture [m]
+  /// Of a tracked hand: beside the stimulus the own hand is drawn, too.
+  std::optional<session::HandSnapshot> tracked;
   std::optional<double> maximum_force_N;
   bool just_completed = false;  ///< the last trial ended well and nothing began since
   bool just_missed = false;     ///< it ended before all its targets were reached
@@ -66,7 +69,7 @@ struct DigitPicture {
 };
 
 struct PatientPicture {
-  enum class Page : std::uint8_t { message, effort, tracking, directions, object, range };
+  enum class Page : std::uint8_t { message, effort, tracking, directions, object, range, hand };
   /// `act`: what the channel asks for.
   enum class Sign : std::uint8_t { wait, hand_out, rest, act, let_go, memory, good };
   enum class Notice : std::uint8_t { none, pause, fault };
@@ -116,7 +119,9 @@ struct PatientPicture {
   int targets_reached = 0;
   int target_count = 0;
   std::array<FingerPicture, kFingerCount> fingers{};
-  ShownAngle angle;  ///< of a range that the own body turns
+  ShownAngle angle;                         ///< of a range that the own body turns
+  std::optional<HandPicture> tracked_hand;  ///< page `hand`
+  bool camera_on = false;                   ///< on every page while a camera looks at the person
 };
 
 /// Half the band round a force target, of the height of the field.

@@ -1279,6 +1279,98 @@
         <source>The cameras need help. You did nothing wrong. Relax your arm.</source>
         <translation>Die Kameras brauchen Hilfe. Sie haben nichts falsch gemacht. Entspannen Sie den Arm.</translation>
     </message>
+    <message>
+        <source>Please show your right hand</source>
+        <translation>Bitte die rechte Hand zeigen</translation>
+    </message>
+    <message>
+        <source>Please show your left hand</source>
+        <translation>Bitte die linke Hand zeigen</translation>
+    </message>
+    <message>
+        <source>Show your hand to the camera</source>
+        <translation>Zeigen Sie die Hand der Kamera</translation>
+    </message>
+    <message>
+        <source>It appears here by itself</source>
+        <translation>Sie erscheint hier von selbst</translation>
+    </message>
+    <message>
+        <source>Your hand is out of sight</source>
+        <translation>Die Hand ist nicht zu sehen</translation>
+    </message>
+    <message>
+        <source>It stands still here and goes on by itself</source>
+        <translation>Sie steht hier still, es geht von selbst weiter</translation>
+    </message>
+    <message>
+        <source>The next object comes in a moment</source>
+        <translation>Gleich kommt der nächste Gegenstand</translation>
+    </message>
+    <message>
+        <source>The object lets go by itself</source>
+        <translation>Der Gegenstand löst sich von selbst</translation>
+    </message>
+    <message>
+        <source>It is in place: open your hand</source>
+        <translation>Er ist am Platz: Hand öffnen</translation>
+    </message>
+    <message>
+        <source>Lift your hand</source>
+        <translation>Hand anheben</translation>
+    </message>
+    <message>
+        <source>It is below the table</source>
+        <translation>Sie ist unter dem Tisch</translation>
+    </message>
+    <message>
+        <source>Bring it to the blue shape</source>
+        <translation>An die blaue Form bringen</translation>
+    </message>
+    <message>
+        <source>The line shows the way</source>
+        <translation>Die Linie zeigt den Weg</translation>
+    </message>
+    <message>
+        <source>Take the object</source>
+        <translation>Gegenstand greifen</translation>
+    </message>
+    <message>
+        <source>Then bring it to the blue shape</source>
+        <translation>Dann an die blaue Form bringen</translation>
+    </message>
+    <message>
+        <source>As far as it goes</source>
+        <translation>So weit es geht</translation>
+    </message>
+    <message>
+        <source>Rest your hand</source>
+        <translation>Hand ruhen lassen</translation>
+    </message>
+    <message>
+        <source>Keep it still, where it can be seen</source>
+        <translation>Still und gut sichtbar halten</translation>
+    </message>
+    <message>
+        <source>Opened %1 of %2 times</source>
+        <translation>%1 von %2 Mal geöffnet</translation>
+    </message>
+    <message>
+        <source>Help: full</source>
+        <translation>Hilfe: voll</translation>
+    </message>
+    <message>
+        <source>Help: a little</source>
+        <translation>Hilfe: ein wenig</translation>
+    </message>
+    <message>
+        <source>Without help</source>
+        <translation>Ohne Hilfe</translation>
+    </message>
+    <message>
+        <source>The camera needs help. You did nothing wrong. Relax your hand.</source>
+        <translation>Die Kamera braucht Hilfe. Sie haben nichts falsch gemacht. Entspannen Sie die Hand.</translation>
+    </message>
 </context>
 <context>
     <name>Posture</name>
@@ -2218,6 +2310,14 @@
     <message>
         <source>Angle %1</source>
         <translation>Winkel %1</translation>
+    </message>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1&#xa0;cm</translation>
+    </message>
+    <message>
+        <source>Camera on</source>
+        <translation>Kamera an</translation>
     </message>
 </context>
 <context>

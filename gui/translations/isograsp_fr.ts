@@ -1279,6 +1279,98 @@
         <source>The cameras need help. You did nothing wrong. Relax your arm.</source>
         <translation>Les caméras ont besoin d’aide. Vous n’avez rien fait de mal. Relâchez le bras.</translation>
     </message>
+    <message>
+        <source>Please show your right hand</source>
+        <translation>Montrez la main droite</translation>
+    </message>
+    <message>
+        <source>Please show your left hand</source>
+        <translation>Montrez la main gauche</translation>
+    </message>
+    <message>
+        <source>Show your hand to the camera</source>
+        <translation>Montrez la main à la caméra</translation>
+    </message>
+    <message>
+        <source>It appears here by itself</source>
+        <translation>Elle apparaît ici d’elle-même</translation>
+    </message>
+    <message>
+        <source>Your hand is out of sight</source>
+        <translation>La main n’est pas vue</translation>
+    </message>
+    <message>
+        <source>It stands still here and goes on by itself</source>
+        <translation>Elle reste immobile ici, puis cela reprend tout seul</translation>
+    </message>
+    <message>
+        <source>The next object comes in a moment</source>
+        <translation>L’objet suivant arrive dans un instant</translation>
+    </message>
+    <message>
+        <source>The object lets go by itself</source>
+        <translation>L’objet se détache de lui-même</translation>
+    </message>
+    <message>
+        <source>It is in place: open your hand</source>
+        <translation>Il est en place, ouvrez la main</translation>
+    </message>
+    <message>
+        <source>Lift your hand</source>
+        <translation>Levez la main</translation>
+    </message>
+    <message>
+        <source>It is below the table</source>
+        <translation>Elle est sous la table</translation>
+    </message>
+    <message>
+        <source>Bring it to the blue shape</source>
+        <translation>Amenez-le à la forme bleue</translation>
+    </message>
+    <message>
+        <source>The line shows the way</source>
+        <translation>La ligne montre le chemin</translation>
+    </message>
+    <message>
+        <source>Take the object</source>
+        <translation>Prenez l’objet</translation>
+    </message>
+    <message>
+        <source>Then bring it to the blue shape</source>
+        <translation>Puis amenez-le à la forme bleue</translation>
+    </message>
+    <message>
+        <source>As far as it goes</source>
+        <translation>Aussi loin que possible</translation>
+    </message>
+    <message>
+        <source>Rest your hand</source>
+        <translation>Laissez la main au repos</translation>
+    </message>
+    <message>
+        <source>Keep it still, where it can be seen</source>
+        <translation>Immobile et bien visible</translation>
+    </message>
+    <message>
+        <source>Opened %1 of %2 times</source>
+        <translation>Ouverte %1 fois sur %2</translation>
+    </message>
+    <message>
+        <source>Help: full</source>
+        <translation>Aide&#xa0;: complète</translation>
+    </message>
+    <message>
+        <source>Help: a little</source>
+        <translation>Aide&#xa0;: légère</translation>
+    </message>
+    <message>
+        <source>Without help</source>
+        <translation>Sans aide</translation>
+    </message>
+    <message>
+        <source>The camera needs help. You did nothing wrong. Relax your hand.</source>
+        <translation>La caméra a besoin d’aide. Vous n’avez rien fait de mal. Détendez la main.</translation>
+    </message>
 </context>
 <context>
     <name>Posture</name>
@@ -2218,6 +2310,14 @@
     <message>
         <source>Angle %1</source>
         <translation>Angle %1</translation>
+    </message>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1&#xa0;cm</translation>
+    </message>
+    <message>
+        <source>Camera on</source>
+        <translation>Caméra en marche</translation>
     </message>
 </context>
 <context>

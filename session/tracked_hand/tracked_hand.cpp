@@ -34,7 +34,7 @@ TrackedHand::TrackedHand(std::unique_ptr<HandDevice> device, HandSetup setup,
                          std::unique_ptr<HandSource> person)
     : person_(std::move(person)), device_(std::move(device)), setup_(std::move(setup)) {
   setup_.model.side = setup_.side;
-  shown_model_ = setup_.model;
+  show_hand_of(setup_.model);
   const HandDeviceInfo& of = device_->info();
   info_.kind = kKind;
   info_.description = of.description;
@@ -156,6 +156,11 @@ Result<std::unique_ptr<TrialSetup>> TrackedHand::make_trial(const tasks::TaskSpe
   return std::unique_ptr<TrialSetup>(std::move(trial));
 }
 
+void TrackedHand::show_hand_of(const virtual_hand::HandModel& model) noexcept {
+  shown_model_ = model;
+  for (std::size_t d = 0; d < kDigitCount; ++d) now_.link_radii_m[d] = model.digits[d].radii_m;
+}
+
 bool TrackedHand::next() noexcept {
   if (!reader_->next()) return false;
   now_.session_time_s = reader_->t_s();
@@ -163,6 +168,8 @@ bool TrackedHand::next() noexcept {
   if (now_.hand.held) return true;  // all of it is as it was
   now_.thumb_index_gap_m = thumb_index_gap(now_.hand.frame);
   now_.pose = virtual_hand::fitted_pose(shown_model_, now_.hand.frame);
+  now_.seen_hand.reset();
+  if (now_.pose) now_.seen_hand = virtual_hand::hand_in_space(shown_model_, now_.pose->pose);
   return true;
 }
 
@@ -190,20 +197,26 @@ Reception TrackedHand::receive() noexcept {
 
 void TrackedHand::begin(TrialSetup& setup) noexcept {
   trial_ = &static_cast<HandTrial&>(setup);
-  shown_model_ = trial_->model;
+  show_hand_of(trial_->model);
   frames_ = lost_ = 0;
   let_go_ = false;
-  now_.special = {};
-  now_.grasp = {};
-  now_.release_N = tasks::kNotMeasured;
+  forget_grasp();
+  if (trial_->objects)  // nothing stands on it yet
+    now_.ground = {trial_->objects->places.front().ground.table_m, std::nullopt};
 }
 
 void TrackedHand::end(TrialSetup&) noexcept {
   trial_->health = now_.health;
   trial_ = nullptr;
+  forget_grasp();
+}
+
+void TrackedHand::forget_grasp() noexcept {
   now_.special = {};
   now_.grasp = {};
   now_.release_N = tasks::kNotMeasured;
+  now_.grasping_hand.reset();
+  now_.ground.reset();
 }
 
 bool TrackedHand::let_go() noexcept {
@@ -218,6 +231,8 @@ void TrackedHand::step() noexcept {
   if (trial_->objects) {
     trial_->objects->grasp.frame(now_.hand.frame, now_.hand.held);
     now_.grasp = trial_->objects->grasp.state();
+    if (now_.grasp.hand_there)
+      now_.grasping_hand = virtual_hand::hand_in_space(trial_->model, now_.grasp.hand);
   }
   tasks::HandInput input;
   input.seen = !now_.hand.held;
@@ -247,6 +262,8 @@ void TrackedHand::move() noexcept {
   if (!trial_->objects) return;
   const tasks::HandView& task = now_.special.hand();
   if (task.order == tasks::ObjectOrder::place) ++placements_begun_;
+  if (task.order == tasks::ObjectOrder::place)
+    now_.ground = trial_->objects->places[static_cast<std::size_t>(task.object)].ground;
   trial_->objects->obey(task);
   now_.grasp = trial_->objects->grasp.state();
   now_.release_N = now_.grasp.level == hand_world::AssistanceLevel::off

@@ -80,6 +80,10 @@ class TrackedHand final : public Apparatus {
   /// Frames come by time.
   [[nodiscard]] std::optional<double> latency_s() const noexcept override { return std::nullopt; }
 
+  /// From now on what is shown has that size.
+  void show_hand_of(const virtual_hand::HandModel& model) noexcept;
+  /// No trial, no object.
+  void forget_grasp() noexcept;
   [[nodiscard]] bool is_live() const noexcept;
   /// Errors: the entry test has not been passed, or the object is too wide for the opening.
   [[nodiscard]] Result<void> fits(const tasks::TaskSpec& spec) const;

@@ -3,6 +3,7 @@
 
 #include <QHBoxLayout>
 #include <QLocale>
+#include <algorithm>
 
 #include "gui/hand_pages/hand_words.hpp"
 #include "gui/look/look.hpp"
@@ -231,9 +232,14 @@ void HandPanel::show_digits(const std::optional<GraspLive>& live) {
 
 void HandPanel::show_criteria(const std::optional<GraspLive>& live) {
   const bool touches = live && live->criteria[0];
+  const bool tied =
+      live && std::any_of(live->digits.begin(), live->digits.end(), [](const DigitLive& digit) {
+        return digit.state == virtual_hand::DigitState::attached;
+      });
   grasp_->setText(!live            ? tr("Grasp: no object is there.")
                   : !touches       ? tr("Grasp: fewer than two fingers touch.")
                   : live->feasible ? tr("Grasp: ✓ it holds, and may be helped.")
+                  : tied           ? tr("Grasp: ✗ only the help holds it.")
                                    : tr("Grasp: ✗ it does not hold yet."));
   for (std::size_t k = 0; k < criteria_.size(); ++k) {
     const auto criterion = live ? live->criteria[k] : std::nullopt;

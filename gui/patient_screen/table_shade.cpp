@@ -17,7 +17,7 @@ constexpr double kDarkest = 0.52;
 constexpr double kFades_m = 0.11;
 /// Width of the soft edge at the table, and what it gains per metre of height.
 constexpr double kEdge_m = 0.006;
-constexpr double kSofter = 0.32;
+constexpr double kSofterShade = 0.32;
 
 struct Caster {
   std::array<double, kWays> reach_m{};  ///< support function
@@ -90,7 +90,7 @@ class Shading {
     if (caster.height_m < -kEdge_m) return;  // it is below
     const double height_m = std::max(0.0, caster.height_m);
     const double darkest = kDarkest * std::exp(-height_m / kFades_m);
-    const double soft_m = kEdge_m + kSofter * height_m;
+    const double soft_m = kEdge_m + kSofterShade * height_m;
     // Directions 0, a quarter, a half and three quarters are +x, +z, -x, -z.
     const int first_x = column(-caster.reach_m[kWays / 2] - soft_m);
     const int last_x = column(caster.reach_m[0] + soft_m) + 1;

@@ -3564,6 +3564,10 @@ Neu verbunden: %7</translation>
         <translation>Griff: ✓ er hält und darf Hilfe haben.</translation>
     </message>
     <message>
+        <source>Grasp: ✗ only the help holds it.</source>
+        <translation>Griff: ✗ nur die Hilfe hält ihn.</translation>
+    </message>
+    <message>
         <source>Grasp: ✗ it does not hold yet.</source>
         <translation>Griff: ✗ er hält noch nicht.</translation>
     </message>

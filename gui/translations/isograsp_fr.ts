@@ -3564,6 +3564,10 @@ Reconnecté&#xa0;: %7</translation>
         <translation>Prise&#xa0;: ✓ elle tient et peut être aidée.</translation>
     </message>
     <message>
+        <source>Grasp: ✗ only the help holds it.</source>
+        <translation>Prise&#xa0;: ✗ seule l’aide la tient.</translation>
+    </message>
+    <message>
         <source>Grasp: ✗ it does not hold yet.</source>
         <translation>Prise&#xa0;: ✗ elle ne tient pas encore.</translation>
     </message>

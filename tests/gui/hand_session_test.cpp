@@ -173,7 +173,10 @@ TEST_F(HandInWindows, TheKeyOfTheTherapistLetsTheObjectGoAndThatIsNoDrop) {
   })) << view().sentence;
   ASSERT_TRUE(wait_until([&] { return label("digit_state_0") == "tied"; }))
       << label("digit_state_0").toStdString();
-  EXPECT_TRUE(label("grasp_verdict").contains("✓")) << label("grasp_verdict").toStdString();
+  // Tied while it held by itself; a moment later it may not any more.
+  EXPECT_TRUE(label("grasp_verdict").contains("✓") ||
+              label("grasp_verdict").contains("only the help"))
+      << label("grasp_verdict").toStdString();
   EXPECT_TRUE(label("tracker_rate").contains("pictures a second"))
       << label("tracker_rate").toStdString();
   EXPECT_FALSE(is_there("camera_on")) << "nobody is looked at: this hand is simulated";

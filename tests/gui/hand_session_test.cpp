@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "device/hand/hand_csv.hpp"
+#include "gui/presenter/patient_view.hpp"
 #include "gui/session_pages/state_light.hpp"
 #include "operator.hpp"
 #include "short_library.hpp"
@@ -181,6 +182,13 @@ TEST_F(HandInWindows, TheKeyOfTheTherapistLetsTheObjectGoAndThatIsNoDrop) {
       << label("tracker_rate").toStdString();
   EXPECT_FALSE(is_there("camera_on")) << "nobody is looked at: this hand is simulated";
   keep_picture(windows_.therapist(), "hand_tied");
+  const auto picture = [this] { return windows_.presenter().patient_view().picture(0.3); };
+  ASSERT_TRUE(wait_until([&] {
+    const PatientPicture now = picture();
+    return now.page == PatientPicture::Page::hand && now.tracked_hand->object;
+  })) << "the person sees what the therapist sees";
+  EXPECT_TRUE(picture().tracked_hand->hand.has_value());
+  EXPECT_TRUE(picture().simulated);
   operator_.press("let_go");
   ASSERT_TRUE(wait_until([&] { return label("hand_task").contains("let go for the hand"); }))
       << label("hand_task").toStdString();

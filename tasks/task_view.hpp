@@ -49,7 +49,8 @@ struct HandInput {
   /// pauses in which it was out of sight count, others do not.
   std::int64_t frames = 0;
   std::int64_t lost = 0;
-  bool let_go = false;  ///< the therapist lets the object go for the person: once
+  /// The therapist lets the object go for the person: until the next one is placed.
+  bool let_go = false;
 };
 /// std::monostate: of an apparatus whose tasks need to know nothing but the time.
 using TaskInput = std::variant<std::monostate, ForceInput, ObjectInput, ArmInput, HandInput>;

@@ -220,7 +220,7 @@ void TrackedHand::forget_grasp() noexcept {
 }
 
 bool TrackedHand::let_go() noexcept {
-  if (!now_.grasp.object_there || now_.grasp.helped) return false;
+  if (!now_.grasp.object_there || now_.grasp.helped || let_go_) return false;
   let_go_ = true;
   return true;
 }
@@ -243,7 +243,7 @@ void TrackedHand::step() noexcept {
   if (now_.grasp.object_there) input.X_WO = now_.grasp.object.X_WO;
   input.frames = frames_;
   input.lost = lost_;
-  input.let_go = std::exchange(let_go_, false);
+  input.let_go = let_go_;
   const tasks::TaskView view = trial_->task->step(input);
   now_.task = view;
   now_.special = view;
@@ -261,9 +261,11 @@ void TrackedHand::write(const RowFrame& frame, TrialRow& row) noexcept {
 void TrackedHand::move() noexcept {
   if (!trial_->objects) return;
   const tasks::HandView& task = now_.special.hand();
-  if (task.order == tasks::ObjectOrder::place) ++placements_begun_;
-  if (task.order == tasks::ObjectOrder::place)
+  if (task.order == tasks::ObjectOrder::place) {
+    ++placements_begun_;
+    let_go_ = false;
     now_.ground = trial_->objects->places[static_cast<std::size_t>(task.object)].ground;
+  }
   trial_->objects->obey(task);
   now_.grasp = trial_->objects->grasp.state();
   now_.release_N = now_.grasp.level == hand_world::AssistanceLevel::off

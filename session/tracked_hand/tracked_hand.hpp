@@ -107,7 +107,7 @@ class TrackedHand final : public Apparatus {
   virtual_hand::HandModel shown_model_;  ///< whose angles are shown
   const EntryCapture* entry_ = nullptr;  ///< the newest that has ended
   HandTrial* trial_ = nullptr;
-  bool let_go_ = false;      ///< asked for; the next step of the task is told
+  bool let_go_ = false;      ///< asked for in this placement
   std::int64_t frames_ = 0;  ///< of the trial: those in which the hand was asked for …
   std::int64_t lost_ = 0;    ///< … and not seen
 };

@@ -120,7 +120,6 @@ class VirtualPickPlace final : public Task {
     lost_before_ = hand.lost;
     free_s_.reset();
     helped_s_.reset();
-    help_asked_ = false;
     stage_ = Stage::carrying;
     ++shown_;
   }
@@ -128,10 +127,9 @@ class VirtualPickPlace final : public Task {
   void go_on(const HandInput& hand, TaskView& view, HandView& of) noexcept {
     const double t_s = seen_s_;
     view.target_index = static_cast<int>(next_);
-    help_asked_ = help_asked_ || hand.let_go;  // also while the hand is not seen
     if (hand.seen) {
       seen_s_ += period_s_;  // as the score adds up its rows
-      if (help_asked_ && !helped_s_)
+      if (hand.let_go && !helped_s_)
         help(t_s, of);
       else if (stage_ == Stage::carrying)
         carry(hand, t_s, of);
@@ -229,7 +227,6 @@ class VirtualPickPlace final : public Task {
   double done_s_ = 0.0;
   std::optional<double> free_s_;
   std::optional<double> helped_s_;  ///< when it was let go for the person
-  bool help_asked_ = false;
   bool failed_ = false;
   bool ending_ = false;
 };

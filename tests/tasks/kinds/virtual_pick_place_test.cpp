@@ -316,14 +316,14 @@ TEST(VirtualPickPlace, TheTherapistsKeyEndsAPlacementOnItsWayAndThatIsNoDrop) {
   play.wait_for_object();
   play.hold(0.2);
   play.run(2.0);
-  // It is kept until the hand is seen again.
+  // Not before the hand is seen again.
   play.input.seen = false;
   play.input.let_go = true;
   play.step();
-  play.input.let_go = false;
   EXPECT_EQ(play.count(ObjectOrder::let_go), 0);
   play.input.seen = true;
   play.step();
+  play.input.let_go = false;
   EXPECT_EQ(play.count(ObjectOrder::let_go), 1);
   EXPECT_TRUE(play.view.hand().helped);
   EXPECT_FALSE(play.view.hand().let_go_asked) << "nobody asked the hand to open";

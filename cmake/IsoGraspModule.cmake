@@ -54,6 +54,22 @@ function(isograsp_numerics target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Debug>:-O1>)
 endfunction()
 
+# Files, pages, windows and commands wait for people, disks and libraries: there is less to optimise, and a
+# compiler takes a tenth to a quarter less. What is measured is computed elsewhere and stays the same bits.
+function(isograsp_no_numerics target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
+# Objects say beside their code what they define (GCC's link-time optimisation, which nothing is linked
+# with): tests/one_definition compares all of the program. It costs a compiler nothing that one can measure.
+option(ISOGRASP_ONE_DEFINITION "Test that no name of the program is defined twice (GCC)" OFF)
+function(isograsp_remember_definitions target)
+  if(ISOGRASP_ONE_DEFINITION)
+    target_compile_options(${target} PRIVATE -flto -ffat-lto-objects)
+    set_property(GLOBAL APPEND PROPERTY ISOGRASP_DEFINING ${target})
+  endif()
+endfunction()
+
 function(isograsp_module name)
   cmake_parse_arguments(ARG "" "" "SOURCES;USES;PUBLIC_LIBS;PRIVATE_LIBS" ${ARGN})
   add_library(isograsp_${name} STATIC ${ARG_SOURCES})
@@ -65,6 +81,7 @@ function(isograsp_module name)
     PUBLIC ${ARG_USES} ${ARG_PUBLIC_LIBS}
     PRIVATE $<BUILD_INTERFACE:isograsp_options> ${ARG_PRIVATE_LIBS})
   target_compile_features(isograsp_${name} PUBLIC cxx_std_20)
+  isograsp_remember_definitions(isograsp_${name})
 endfunction()
 
 function(isograsp_test name)

@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Beside functions_here.cpp: two functions of one name.
+int defined_twice() {
+  return 2;
+}

@@ -234,7 +234,7 @@ void TherapistWindow::make_pages() {
 }
 
 QWidget* TherapistWindow::make_patient() {
-  course_ = new PatientPage(clinic_);
+  course_ = new PatientPage(clinic_, presenter_.state().config.library);
   person_ = new ProfilePanel(clinic_, file_);
   auto* tabs = new QTabWidget;
   tabs->setObjectName("patient_tabs");

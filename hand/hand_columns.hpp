@@ -103,11 +103,14 @@ inline constexpr OfDigits grasp_state = each_digit([](std::string_view digit) {
                 digit};
 });
 inline constexpr OfDigits pull_N = each_digit([](std::string_view digit) {
-  return Column{FixedText<28>(digit, "_pull_N"),
-                ColumnWords("Pull of the %1 on its tie, away from the object"_text, digit),
-                {},
-                {},
-                digit};
+  return Column{
+      FixedText<28>(digit, "_pull_N"),
+      ColumnWords("Pull of the %1 on its tie, away from the object; in the row in which it lets "
+                  "go that at which it did"_text,
+                  digit),
+      {},
+      {},
+      digit};
 });
 inline constexpr OfDigits touch_N = each_digit([](std::string_view digit) {
   return Column{FixedText<28>(digit, "_touch_N"),

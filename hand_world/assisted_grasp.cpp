@@ -128,6 +128,7 @@ void AssistedGrasp::stand_object() noexcept {
   chosen_of_ = {};
   choice_ = {};
   report_ = {};
+  let_go_at_N_ = {};
   world_.take_object(object_.body);
   world_.place_object({start_.X_WO, Vec3::Zero(), Vec3::Zero()});
   world_.place_ground(start_.ground);
@@ -156,6 +157,7 @@ void AssistedGrasp::frame(const HandFrame& hand, bool held) noexcept {
   seen_ = *seen;
   lost_ = false;
   report_ = {};
+  let_go_at_N_ = {};
   if (!object_there_) world_.place_object({});
   for (int k = 0; k < steps_; ++k)
     step(between_targets(from, led_, (k + 0.5) / static_cast<double>(steps_), frame_s_));
@@ -186,6 +188,9 @@ void AssistedGrasp::step(const HandTarget& target) noexcept {
   row.feasible = ties ? choice_.digits : 0;
   assistance_.step(row);
   if (lets_go_in_part()) assistance_.let_go(t_s());
+  for (std::size_t d = 0; d < kDigitCount; ++d)
+    if (world_.tied(static_cast<Digit>(d)) && assistance_.states()[d] != DigitState::attached)
+      let_go_at_N_[d] = row.digits[d].pull_N;
   world_.tie(assistance_.states(), gains_);
   report_.sweeps = std::max(report_.sweeps, world_.solver_report().sweeps);
   report_.residual_m_s = std::max(report_.residual_m_s, world_.solver_report().residual_m_s);
@@ -241,7 +246,8 @@ void AssistedGrasp::publish() noexcept {
   for (std::size_t d = 0; d < kDigitCount; ++d) {
     const AssistanceRow::OfDigit& digit = row.digits[d];
     const DigitState is = assistance_.states()[d];
-    state_.digits[d] = {is, digit.contact, digit.pull_N, world_.touches()[d].normal_N, digit.gap_m};
+    const double pull_N = is == DigitState::attached ? digit.pull_N : let_go_at_N_[d];
+    state_.digits[d] = {is, digit.contact, pull_N, world_.touches()[d].normal_N, digit.gap_m};
     tied += is == DigitState::attached ? 1 : 0;
     touching += digit.contact ? 1 : 0;
   }

@@ -46,7 +46,9 @@ struct StartPlace {
 struct DigitGrasp {
   virtual_hand::DigitState state = virtual_hand::DigitState::free;
   bool touching = false;
-  double pull_N = 0.0;    ///< of its tie along the outward normal; 0: it is not tied
+  /// Of its tie along the outward normal; in the frame in which it lets go that at which it did; 0:
+  /// it is not tied.
+  double pull_N = 0.0;
   double normal_N = 0.0;  ///< largest of its links
   double gap_m = 0.0;     ///< from the object; World::kMargin_m stands for more
 };
@@ -154,6 +156,7 @@ class AssistedGrasp {
   bool lost_ = false;
   std::int64_t ticks_ = 0;  ///< steps of the world: its time stands still while the hand is lost
   SolverReport report_;     ///< worst of the frame
+  std::array<double, kDigitCount> let_go_at_N_{};  ///< in this frame; 0: it did not
   GraspState state_;
 };
 

@@ -4,24 +4,14 @@
 #include <cmath>
 #include <utility>
 
-#include "core/files.hpp"
 #include "device/hand/hand_csv.hpp"
-#include "session/library/library.hpp"
+#include "session/tracked_hand/hand_size.hpp"
 #include "session/tracked_hand/tracked_hand.hpp"
 #include "virtual_patient/hand/virtual_grasper.hpp"
 
 namespace isograsp::session {
 
 namespace {
-
-/// Axes and limits of every hand, and the size of one that was not measured.
-Result<virtual_hand::HandModel> usual_hand(const ApparatusRequest& request) {
-  const auto path = find_in_library(request.library, "hands", "default", request.uri.text);
-  if (!path) return path.error();
-  const auto text = read_text(*path);
-  if (!text) return text.error();
-  return virtual_hand::parse_hand(*text, *path);
-}
 
 Result<bool> size_of_other_in(const Uri& uri) {
   const std::string size = uri.text_or("size", "own");
@@ -70,7 +60,7 @@ bool is_recorded_hand(const Uri& uri) {
 Result<std::unique_ptr<Apparatus>> open_hand(const ApparatusRequest& request) {
   HandSetup setup;
   setup.side = request.hand;
-  auto model = usual_hand(request);
+  auto model = usual_hand(request.library, request.uri.text);
   if (!model) return model.error();
   setup.model = *std::move(model);
   const auto of_other = size_of_other_in(request.uri);

@@ -61,11 +61,10 @@ QString minutes_words(double time_s) {
 
 /// "Practice 4:05 of 15:00 on a first visit; bout 2: 1:05 of 3:00. Later visits: …"
 QString practice_words(const PracticeClock& clock) {
-  const auto first =
-      ArmPanel::tr("Practice %1 of %2 on a first visit; bout %3: %4 of %5.")
-          .arg(minutes_words(clock.total_s()), minutes_words(PracticeClock::kFirstVisit_s))
-          .arg(clock.bout())
-          .arg(minutes_words(clock.bout_s()), minutes_words(PracticeClock::kBout_s));
+  const auto first = ArmPanel::tr("Practice %1 of %2 on a first visit; bout %3: %4 of %5.")
+                         .arg(minutes_words(clock.total_s()), minutes_words(kFirstVisit_s))
+                         .arg(clock.bout())
+                         .arg(minutes_words(clock.bout_s()), minutes_words(PracticeClock::kBout_s));
   const auto apart = clock.difference();
   if (!apart) return first;
   constexpr double kPercent = 100.0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An arm from three sides beside each other, in true size on a grid of 10 cm: markers, the chain
 // from the elbow to the object, the object and its target. Axes are those of the screens
-// (gui/rules/arm_space.hpp), which the rig says.
+// (gui/picture/arm_space.hpp), which the rig says.
 #pragma once
 
 #include <QWidget>
@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "gui/rules/arm_space.hpp"
+#include "gui/picture/arm_space.hpp"
 #include "session/arm/arm_snapshot.hpp"
 
 class QPainter;

@@ -4,15 +4,13 @@
 // go.
 #pragma once
 
-#include <QGridLayout>
 #include <QLabel>
-#include <QProgressBar>
 #include <QPushButton>
-#include <array>
 
-#include "gui/hand_rules/hand_live.hpp"
+#include "gui/hand_pages/grasp_view.hpp"
 #include "gui/look/card.hpp"
 #include "gui/presenter/session_presenter.hpp"
+#include "gui/rules/hand_live.hpp"
 
 namespace isograsp::gui {
 
@@ -23,35 +21,19 @@ class HandPanel final : public Card {
   explicit HandPanel(SessionPresenter& presenter, QWidget* parent = nullptr);
 
  private:
-  struct DigitRow {
-    QLabel* state;
-    QProgressBar* pull;
-    QLabel* pull_words;
-  };
-  struct CriterionRow {
-    QLabel* value;
-    QLabel* limit;
-    QLabel* verdict;
-  };
   void make_head();
-  void make_digits();
-  void make_criteria();
   void refresh();
   void refresh_part();
   void show_no_hand();
   void show_tracker(const OpenSession& open);
   void show_task(const OpenSession& open, const std::optional<GraspLive>& live);
-  void show_digits(const std::optional<GraspLive>& live);
-  void show_criteria(const std::optional<GraspLive>& live);
 
   SessionPresenter& presenter_;
   QPushButton* let_go_;
   QLabel* camera_;
   QLabel* tracker_;
   QLabel* task_;
-  std::array<DigitRow, kDigitCount> digits_{};
-  std::array<CriterionRow, 3> criteria_{};
-  QLabel* grasp_;
+  GraspView* grasp_;
   QLabel* gap_;
   int polls_ = 0;
 };

@@ -22,7 +22,7 @@ std::string_view head_of(std::string_view text) {
 
 bool has_name(const Postures& postures, const std::string& name) {
   return std::any_of(postures.postures.begin(), postures.postures.end(),
-                     [&](const isograsp::Posture& posture) { return posture.name == name; });
+                     [&](const Posture& posture) { return posture.name == name; });
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ std::string free_posture_name(const Postures& postures, const std::string& wante
   return name;
 }
 
-Postures with_added(Postures postures, std::size_t index, isograsp::Posture posture) {
+Postures with_added(Postures postures, std::size_t index, Posture posture) {
   posture.name = free_posture_name(postures, posture.name);
   postures.postures.insert(postures.postures.begin() + static_cast<std::ptrdiff_t>(index) + 1,
                            std::move(posture));

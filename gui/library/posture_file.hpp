@@ -25,7 +25,7 @@ struct PostureFile {
 [[nodiscard]] std::string free_posture_name(const Postures& postures, const std::string& wanted);
 
 /// `posture` behind the one at `index`, under the first free name.
-[[nodiscard]] Postures with_added(Postures postures, std::size_t index, isograsp::Posture posture);
+[[nodiscard]] Postures with_added(Postures postures, std::size_t index, Posture posture);
 /// Errors: the name is empty, or another posture's.
 [[nodiscard]] Result<Postures> with_renamed(Postures postures, std::size_t index,
                                             const std::string& name);

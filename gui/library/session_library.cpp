@@ -87,4 +87,15 @@ std::optional<int> place_of_file(const std::vector<session::ReadyProtocol>& prot
                [](const session::ReadyProtocol& protocol) { return protocol.spec.file; });
 }
 
+std::optional<int> first_visit_protocol(const std::vector<session::ReadyProtocol>& protocols) {
+  const auto makes_familiar = [](const tasks::ProtocolStep& step) {
+    return step.practice && step.bouts && step.bouts->work_s >= kFirstVisit_s;
+  };
+  const auto found = std::find_if(protocols.begin(), protocols.end(), [&](const auto& protocol) {
+    return std::ranges::any_of(protocol.spec.steps, makes_familiar);
+  });
+  if (found == protocols.end()) return std::nullopt;
+  return static_cast<int>(found - protocols.begin());
+}
+
 }  // namespace isograsp::gui

@@ -18,6 +18,9 @@ inline constexpr std::string_view kArm = "arm";
 inline constexpr std::string_view kPlatform = "platform";
 inline constexpr std::string_view kTrackedHand = "tracked_hand";
 
+/// So long an arm is made familiar with its tasks on its first visit.
+inline constexpr double kFirstVisit_s = 15.0 * 60.0;
+
 struct SessionLibrary {
   std::vector<tasks::TaskSpec> tasks;             ///< in the order of the list
   std::vector<session::ReadyProtocol> protocols;  ///< shipped ones first, by file name
@@ -44,5 +47,10 @@ template <class Fits>
                                                const std::string& file);
 [[nodiscard]] std::optional<int> place_of_file(const std::vector<session::ReadyProtocol>& protocols,
                                                const std::string& file);
+
+/// The place of the first protocol that practises as long as a first visit needs; nothing: none
+/// does.
+[[nodiscard]] std::optional<int> first_visit_protocol(
+    const std::vector<session::ReadyProtocol>& protocols);
 
 }  // namespace isograsp::gui

@@ -71,9 +71,7 @@ class PostureEditor final : public QWidget {
   void refresh();
   [[nodiscard]] QString changes_in_words() const;
 
-  [[nodiscard]] const isograsp::Posture& posture() const {
-    return file_.postures.postures[chosen_];
-  }
+  [[nodiscard]] const Posture& posture() const { return file_.postures.postures[chosen_]; }
   [[nodiscard]] std::size_t link() const;
   [[nodiscard]] EditAxes axes() const;
   void change_link(bool turn, EditAxis axis, int sign);
@@ -82,7 +80,7 @@ class PostureEditor final : public QWidget {
   void remove();
   void rename();
   void rename_file();
-  void put(isograsp::Posture posture);
+  void put(Posture posture);
   void put(Postures postures, std::size_t chosen);
   void put(const Result<Postures>& postures, std::size_t chosen);
 

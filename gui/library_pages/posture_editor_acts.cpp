@@ -69,7 +69,7 @@ std::size_t PostureEditor::segment_of_axes() const {
 void PostureEditor::fill_list() {
   const QSignalBlocker quiet(list_);
   list_->clear();
-  for (const isograsp::Posture& one : file_.postures.postures) {
+  for (const Posture& one : file_.postures.postures) {
     const bool initial = list_->count() == 0;
     const auto name = QString::fromStdString(one.name);
     auto* item = new QListWidgetItem(
@@ -144,7 +144,7 @@ void PostureEditor::change_link(bool turn, EditAxis axis, int sign) {
 
 void PostureEditor::go_part_of_the_way(bool as_new) {
   constexpr double kPercent = 100.0;
-  isograsp::Posture part =
+  Posture part =
       part_of_the_way(file_.postures.postures.front(), posture(), way_percent_->value() / kPercent);
   if (!as_new) return put(std::move(part));
   part.name += " " + std::to_string(way_percent_->value());
@@ -174,7 +174,7 @@ void PostureEditor::rename_file() {
   put(std::move(renamed), chosen_);
 }
 
-void PostureEditor::put(isograsp::Posture changed) {
+void PostureEditor::put(Posture changed) {
   Postures postures = file_.postures;
   postures.postures[chosen_] = std::move(changed);
   put(std::move(postures), chosen_);

@@ -56,7 +56,7 @@ PostureScene::PostureScene(const std::string& library, std::vector<std::string> 
   space_ = std::make_shared<ArmSpace>(setup, Hand::right);
 }
 
-std::vector<Pose> PostureScene::segments_W(const isograsp::Posture& posture) const {
+std::vector<Pose> PostureScene::segments_W(const Posture& posture) const {
   std::vector<Pose> X_W{X_WE_};
   for (const Pose& X_L : posture.X_L) X_W.push_back(compose(X_W.back(), X_L));
   return X_W;

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "gui/rules/arm_space.hpp"
-#include "gui/rules/patient_picture.hpp"
+#include "gui/picture/arm_space.hpp"
+#include "gui/picture/patient_picture.hpp"
 #include "kinematics/postures.hpp"
 #include "session/arm/arm_snapshot.hpp"
 
@@ -25,7 +25,7 @@ class PostureScene {
   [[nodiscard]] const std::shared_ptr<const ArmSpace>& space() const noexcept { return space_; }
 
   /// Poses of the segments of the chain [m]. @pre postures.chain == chain()
-  [[nodiscard]] std::vector<Pose> segments_W(const isograsp::Posture& posture) const;
+  [[nodiscard]] std::vector<Pose> segments_W(const Posture& posture) const;
   /// The arm in the posture at `index`; the target is the object of the initial one.
   [[nodiscard]] session::ArmSnapshot arm_in(const Postures& postures, std::size_t index) const;
   /// What a patient of that size sees when that posture is the target and the arm is still in the

@@ -8,7 +8,7 @@
 
 #include <Inventor/SbColor.h>
 
-#include "gui/rules/hand_picture.hpp"
+#include "gui/picture/hand_picture.hpp"
 
 class SoMaterial;
 class SoSeparator;

@@ -10,7 +10,7 @@
 #include <Inventor/SbLinear.h>
 
 #include "gui/patient_screen/table_shade.hpp"
-#include "gui/rules/hand_picture.hpp"
+#include "gui/picture/hand_picture.hpp"
 
 class SoCoordinate3;
 class SoMaterial;

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include <GL/gl.h>
-#include <Inventor/SbViewVolume.h>
 #include <Inventor/SoDB.h>
 #include <Inventor/actions/SoGLRenderAction.h>
 #include <Inventor/nodes/SoCallback.h>
@@ -23,6 +22,7 @@
 #include "gui/patient_screen/hand_nodes.hpp"
 #include "gui/patient_screen/hand_props.hpp"
 #include "gui/patient_screen/scene_nodes.hpp"
+#include "gui/patient_screen/scene_view.hpp"
 
 namespace isograsp::gui {
 
@@ -51,6 +51,13 @@ SoCallback* make_mask(bool on) {
   auto* mask = new SoCallback;
   mask->setCallback(mask_colours, on ? &yes : nullptr);
   return mask;
+}
+
+/// A narrow picture shows as much from left to right as a wide one.
+void fit(SoPerspectiveCamera& camera, double aspect) {
+  const double half = std::tan(0.5 * kHeightAngle_rad) * std::max(1.0, kLeastAspect / aspect);
+  camera.aspectRatio.setValue(static_cast<float>(aspect));
+  camera.heightAngle.setValue(static_cast<float>(2.0 * std::atan(half)));
 }
 
 }  // namespace
@@ -82,7 +89,7 @@ struct HandScene::Parts {
   HandNodes tracked;
   SoSwitch* tracked_shown = new SoSwitch;
   SoMaterial* tracked_colour = make_material(kTrackedColour, 0.6F);
-  std::unique_ptr<SoGLRenderAction> action;
+  SceneView view;
   std::optional<ObjectShape> shape;  ///< that is built
 
   void build_room();
@@ -264,52 +271,14 @@ void HandScene::show(const HandPicture& picture) {
   }
 }
 
-namespace {
-
-/// A narrow picture shows as much from left to right as a wide one.
-void fit(SoPerspectiveCamera& camera, double aspect) {
-  const double half = std::tan(0.5 * kHeightAngle_rad) * std::max(1.0, kLeastAspect / aspect);
-  camera.aspectRatio.setValue(static_cast<float>(aspect));
-  camera.heightAngle.setValue(static_cast<float>(2.0 * std::atan(half)));
-}
-
-}  // namespace
-
 void HandScene::draw(const QRect& viewport_px) {
-  Parts& p = *parts_;
-  const QRect& v = viewport_px;
-  fit(*p.camera, static_cast<double>(v.width()) / v.height());
-  SbViewportRegion region;
-  region.setWindowSize(static_cast<short>(v.x() + v.width()),
-                       static_cast<short>(v.y() + v.height()));
-  region.setViewportPixels(static_cast<short>(v.x()), static_cast<short>(v.y()),
-                           static_cast<short>(v.width()), static_cast<short>(v.height()));
-  if (p.action == nullptr) {
-    p.action = std::make_unique<SoGLRenderAction>(region);
-    p.action->setTransparencyType(SoGLRenderAction::SORTED_OBJECT_BLEND);
-    p.action->setSmoothing(TRUE);
-    p.action->setCacheContext(1);
-  }
-  p.action->setViewportRegion(region);
-  glViewport(v.x(), v.y(), v.width(), v.height());
-  glEnable(GL_SCISSOR_TEST);
-  glScissor(v.x(), v.y(), v.width(), v.height());
-  glClearColor(kWallColour[0], kWallColour[1], kWallColour[2], 1.0F);
-  glEnable(GL_DEPTH_TEST);
-  glDepthMask(GL_TRUE);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  p.action->apply(p.root);
-  glDisable(GL_SCISSOR_TEST);
+  fit(*parts_->camera, static_cast<double>(viewport_px.width()) / viewport_px.height());
+  parts_->view.draw(*parts_->root, viewport_px);
 }
 
 QPointF HandScene::project(const Vec3& p_W, QSize size_px) const {
-  const double aspect = static_cast<double>(size_px.width()) / size_px.height();
-  fit(*parts_->camera, aspect);
-  const SbViewVolume volume = parts_->camera->getViewVolume(static_cast<float>(aspect));
-  SbVec3f place;
-  volume.projectToScreen(to_sb(p_W), place);
-  return {static_cast<qreal>(place[0]) * size_px.width(),
-          (1.0 - static_cast<qreal>(place[1])) * size_px.height()};
+  fit(*parts_->camera, static_cast<double>(size_px.width()) / size_px.height());
+  return SceneView::project(*parts_->camera, p_W, size_px);
 }
 
 }  // namespace isograsp::gui

@@ -8,7 +8,7 @@
 #include <QSize>
 #include <memory>
 
-#include "gui/rules/hand_picture.hpp"
+#include "gui/picture/hand_picture.hpp"
 
 namespace isograsp::gui {
 

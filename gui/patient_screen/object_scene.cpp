@@ -5,10 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include <GL/gl.h>
-#include <Inventor/SbViewVolume.h>
 #include <Inventor/SoDB.h>
-#include <Inventor/actions/SoGLRenderAction.h>
 #include <Inventor/nodes/SoDirectionalLight.h>
 #include <Inventor/nodes/SoLightModel.h>
 #include <Inventor/nodes/SoMaterial.h>
@@ -19,6 +16,7 @@
 #include <Inventor/nodes/SoTransform.h>
 
 #include "gui/patient_screen/scene_nodes.hpp"
+#include "gui/patient_screen/scene_view.hpp"
 
 namespace isograsp::gui {
 
@@ -43,7 +41,7 @@ struct ObjectScene::Parts {
   SoSeparator* ghost_form = new SoSeparator;
   SoSeparator* shadow_form = new SoSeparator;
   std::array<FingerNodes, kFingerCount> fingers;
-  std::unique_ptr<SoGLRenderAction> action;
+  SceneView view;
   std::shared_ptr<const Scene> scene;
   std::optional<bool> in_space;  ///< which room is shown
 
@@ -188,38 +186,11 @@ void ObjectScene::show(const PatientPicture& picture) {
 }
 
 void ObjectScene::draw(const QRect& viewport_px) {
-  Parts& p = *parts_;
-  const QRect& v = viewport_px;
-  SbViewportRegion region;
-  region.setWindowSize(static_cast<short>(v.x() + v.width()),
-                       static_cast<short>(v.y() + v.height()));
-  region.setViewportPixels(static_cast<short>(v.x()), static_cast<short>(v.y()),
-                           static_cast<short>(v.width()), static_cast<short>(v.height()));
-  if (p.action == nullptr) {
-    p.action = std::make_unique<SoGLRenderAction>(region);
-    p.action->setTransparencyType(SoGLRenderAction::SORTED_OBJECT_BLEND);
-    p.action->setSmoothing(TRUE);
-    p.action->setCacheContext(1);
-  }
-  p.action->setViewportRegion(region);
-  glViewport(v.x(), v.y(), v.width(), v.height());
-  glEnable(GL_SCISSOR_TEST);
-  glScissor(v.x(), v.y(), v.width(), v.height());
-  glClearColor(kWallColour[0], kWallColour[1], kWallColour[2], 1.0F);
-  glEnable(GL_DEPTH_TEST);
-  glDepthMask(GL_TRUE);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  p.action->apply(p.root);
-  glDisable(GL_SCISSOR_TEST);
+  parts_->view.draw(*parts_->root, viewport_px);
 }
 
 QPointF ObjectScene::project(const Vec3& p_W, QSize size_px) const {
-  const float aspect = static_cast<float>(size_px.width()) / static_cast<float>(size_px.height());
-  SbViewVolume volume = parts_->camera->getViewVolume(aspect);
-  SbVec3f place;
-  volume.projectToScreen(to_sb(p_W), place);
-  return {static_cast<qreal>(place[0]) * size_px.width(),
-          (1.0 - static_cast<qreal>(place[1])) * size_px.height()};
+  return SceneView::project(*parts_->camera, p_W, size_px);
 }
 
 }  // namespace isograsp::gui

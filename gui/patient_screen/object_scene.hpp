@@ -10,7 +10,7 @@
 #include <QSize>
 #include <memory>
 
-#include "gui/rules/patient_picture.hpp"
+#include "gui/picture/patient_picture.hpp"
 
 namespace isograsp::gui {
 

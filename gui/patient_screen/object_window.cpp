@@ -11,6 +11,7 @@ namespace isograsp::gui {
 ObjectWindow::~ObjectWindow() {
   makeCurrent();
   scene_.reset();
+  hand_scene_.reset();
   doneCurrent();
 }
 
@@ -19,26 +20,32 @@ void ObjectWindow::show_picture(const PatientPicture& picture) {
   if (isExposed()) update();
 }
 
-void ObjectWindow::initializeGL() {
-  scene_ = std::make_unique<ObjectScene>();
+template <class Scene, class Shown>
+ObjectWindow::Project ObjectWindow::draw(std::unique_ptr<Scene>& scene, const Shown& shown,
+                                         QSize size_px) {
+  if (!scene) scene = std::make_unique<Scene>();
+  scene->show(shown);
+  scene->draw(QRect(QPoint(0, 0), size_px));
+  return [&scene, size_px](const Vec3& p_W) { return scene->project(p_W, size_px); };
 }
 
 void ObjectWindow::paintGL() {
-  if (picture_.page != PatientPicture::Page::object) {
+  const bool hand = picture_.page == PatientPicture::Page::hand;
+  if (!hand && picture_.page != PatientPicture::Page::object) {
     glClearColor(0.91F, 0.93F, 0.95F, 1.0F);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     return;
   }
   const QSize size_px = size() * devicePixelRatio();
-  scene_->show(picture_);
-  scene_->draw(QRect(QPoint(0, 0), size_px));
+  const Project project =
+      hand ? draw(hand_scene_, *picture_.tracked_hand, size_px) : draw(scene_, picture_, size_px);
   // QPainter changes OpenGL's state, and the next 3D picture would be lit wrongly.
   glPushAttrib(GL_ALL_ATTRIB_BITS);
   glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
   {
     QPainter painter(this);
     painter.scale(1.0 / devicePixelRatio(), 1.0 / devicePixelRatio());
-    paint_over(painter, *scene_, size_px);
+    paint_over(painter, project, size_px);
   }
   glPopClientAttrib();
   glPopAttrib();

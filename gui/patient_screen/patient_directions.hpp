@@ -7,7 +7,7 @@
 
 #include <QPainter>
 
-#include "gui/rules/patient_picture.hpp"
+#include "gui/picture/patient_picture.hpp"
 
 namespace isograsp::gui {
 

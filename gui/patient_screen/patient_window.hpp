@@ -10,8 +10,8 @@
 #include "gui/patient_screen/hand_scene.hpp"
 #include "gui/patient_screen/object_scene.hpp"
 #include "gui/patient_screen/speaker.hpp"
+#include "gui/picture/soundtrack.hpp"
 #include "gui/presenter/session_presenter.hpp"
-#include "gui/rules/soundtrack.hpp"
 
 namespace isograsp::gui {
 

@@ -6,7 +6,7 @@
 #include <QString>
 #include <memory>
 
-#include "gui/rules/tones.hpp"
+#include "gui/picture/tones.hpp"
 
 namespace isograsp::gui {
 

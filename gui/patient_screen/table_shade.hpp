@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "gui/rules/hand_picture.hpp"
+#include "gui/picture/hand_picture.hpp"
 
 namespace isograsp::gui {
 

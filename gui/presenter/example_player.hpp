@@ -9,7 +9,7 @@
 
 #include "core/time.hpp"
 #include "gui/clinic/background.hpp"
-#include "gui/rules/patient_picture.hpp"
+#include "gui/picture/patient_picture.hpp"
 #include "session/demonstration.hpp"
 
 namespace isograsp::gui {

@@ -2,7 +2,7 @@
 // What the patient's picture is given of a frame of the session.
 #pragma once
 
-#include "gui/rules/patient_picture.hpp"
+#include "gui/picture/patient_picture.hpp"
 #include "session/arm/arm_snapshot.hpp"
 #include "session/platform/snapshot.hpp"
 #include "session/tracked_hand/hand_snapshot.hpp"

@@ -8,7 +8,7 @@ namespace isograsp::gui {
 namespace {
 
 struct LastTime {
-  std::optional<Posture> posture;
+  std::optional<SittingPosture> posture;
   std::optional<Presentation> presentation;
 };
 
@@ -59,14 +59,14 @@ void Seating::look(const std::string& code, std::optional<Hand> hand) {
       [code, hand](storage::SessionStore& store) { return read_last_time(store, code, hand); },
       [this, lookup](LastTime last) {
         if (lookup != lookups_) return;
-        last_posture_ = last.posture.value_or(Posture{});
+        last_posture_ = last.posture.value_or(SittingPosture{});
         if (!posture_said_) posture_ = last_posture_;
         if (!presentation_said_ && last.presentation) presentation_ = *last.presentation;
         Q_EMIT changed();
       });
 }
 
-void Seating::say_posture(const Posture& posture) {
+void Seating::say_posture(const SittingPosture& posture) {
   if (posture == posture_) return;
   posture_ = posture;
   posture_said_ = true;

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "gui/clinic/clinic.hpp"
+#include "gui/picture/presentation.hpp"
 #include "gui/rules/posture.hpp"
-#include "gui/rules/presentation.hpp"
 #include "hand/finger.hpp"
 
 namespace isograsp::gui {
@@ -23,13 +23,13 @@ class Seating final : public QObject {
   /// Looks up how this hand was seated last, and what the patient's screen was like. What was said
   /// for anybody else, or for the other hand, is forgotten.
   void look(const std::string& code, std::optional<Hand> hand);
-  void say_posture(const Posture& posture);
+  void say_posture(const SittingPosture& posture);
   void say_presentation(const Presentation& presentation);
 
   /// As last time, or as it was said now.
-  [[nodiscard]] const Posture& posture() const noexcept { return posture_; }
+  [[nodiscard]] const SittingPosture& posture() const noexcept { return posture_; }
   /// Of this hand; nothing said: there was none.
-  [[nodiscard]] const Posture& last_posture() const noexcept { return last_posture_; }
+  [[nodiscard]] const SittingPosture& last_posture() const noexcept { return last_posture_; }
   [[nodiscard]] const Presentation& presentation() const noexcept { return presentation_; }
 
  Q_SIGNALS:
@@ -40,8 +40,8 @@ class Seating final : public QObject {
   std::string code_;
   std::optional<Hand> hand_;
   int lookups_ = 0;  ///< the newest one counts
-  Posture posture_;
-  Posture last_posture_;
+  SittingPosture posture_;
+  SittingPosture last_posture_;
   bool posture_said_ = false;
   Presentation presentation_;
   bool presentation_said_ = false;

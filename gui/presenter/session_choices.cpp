@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/presenter/session_choices.hpp"
 
+#include <algorithm>
 #include <ctime>
 
 namespace isograsp::gui {
@@ -122,6 +123,7 @@ void SessionChoices::ask_anew() {
 
 void SessionChoices::look_for_earlier() {
   const int lookup = ++lookups_;
+  look_whether_first_time();
   Choices& choices = state_.choices;
   choices.interrupted = {};
   const auto& hand = choices.today.hand;
@@ -143,6 +145,31 @@ void SessionChoices::look_for_earlier() {
         if (lookup != lookups_) return;  // something else was chosen meanwhile
         state_.choices.interrupted.sought = false;
         state_.choices.interrupted.acts = acts;
+        flow_.update();
+      });
+}
+
+void SessionChoices::look_whether_first_time() {
+  Choices& choices = state_.choices;
+  choices.first_time = false;
+  const auto& hand = choices.today.hand;
+  if (choices.patient.empty() || !hand || choices.apparatus.empty()) return;
+  (void)clinic_.read(
+      this,
+      [code = choices.patient, hand = *hand, apparatus = choices.apparatus,
+       simulated = state_.simulated(),
+       rows = state_.config.apparatuses](storage::SessionStore& store) {
+        const auto patient = store.find_patient(code);
+        if (!patient || !*patient) return true;
+        const auto sessions = store.sessions((*patient)->id);
+        return sessions && std::ranges::none_of(*sessions, [&](const auto& session) {
+                 return session.hand == hand && session.simulated == simulated &&
+                        session::kind_of_apparatus(session.device_uri, rows) == apparatus;
+               });
+      },
+      [this, lookup = lookups_](bool first_time) {
+        if (lookup != lookups_) return;
+        state_.choices.first_time = first_time;
         flow_.update();
       });
 }

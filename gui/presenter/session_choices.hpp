@@ -34,7 +34,8 @@ class SessionChoices final : public QObject {
 
   /// Before every session: hand and screening.
   void ask_anew();
-  /// Asks the database whether the chosen protocol was interrupted today.
+  /// Asks the database whether the chosen protocol was interrupted today, and whether this hand
+  /// has worked with such a device before.
   void look_for_earlier();
 
  private:
@@ -43,7 +44,9 @@ class SessionChoices final : public QObject {
   Clinic& clinic_;
   PersonFile& file_;
   Seating& seating_;
-  int lookups_ = 0;  ///< for an interrupted session: the newest one counts
+  void look_whether_first_time();
+
+  int lookups_ = 0;  ///< the newest one counts
 };
 
 }  // namespace isograsp::gui

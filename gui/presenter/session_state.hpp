@@ -14,19 +14,19 @@
 #include <vector>
 
 #include "core/histogram.hpp"
-#include "gui/hand_rules/hand_live.hpp"
-#include "gui/hand_rules/hand_screening.hpp"
 #include "gui/library/session_library.hpp"
 #include "gui/look/force_history.hpp"
 #include "gui/look/marker_history.hpp"
+#include "gui/picture/arm_space.hpp"
+#include "gui/picture/presentation.hpp"
 #include "gui/presenter/gui_config.hpp"
-#include "gui/presenter/practice_clock.hpp"
 #include "gui/rules/arm_live.hpp"
 #include "gui/rules/arm_screening.hpp"
-#include "gui/rules/arm_space.hpp"
 #include "gui/rules/flow.hpp"
+#include "gui/rules/hand_live.hpp"
+#include "gui/rules/hand_screening.hpp"
 #include "gui/rules/picture_check.hpp"
-#include "gui/rules/presentation.hpp"
+#include "gui/rules/practice_clock.hpp"
 #include "gui/rules/protocol_guide.hpp"
 #include "gui/rules/screening.hpp"
 #include "gui/rules/still_watch.hpp"
@@ -66,6 +66,9 @@ struct Choices {
     std::optional<int> acts;
     std::optional<bool> go_on;
   } interrupted;
+
+  /// The database holds no session of this hand with this apparatus.
+  bool first_time = false;
 };
 
 /// The connection to the device. Made anew by every attempt to connect.

@@ -35,7 +35,8 @@ QString date_of(const CourseSession& session) {
 
 }  // namespace
 
-PatientPage::PatientPage(Clinic& clinic, QWidget* parent) : QWidget(parent), clinic_(clinic) {
+PatientPage::PatientPage(Clinic& clinic, std::string library, QWidget* parent)
+    : QWidget(parent), clinic_(clinic), library_(std::move(library)) {
   setObjectName("page");
   sessions_ = new CoursePanel;
   trends_ = new TrendGrid;
@@ -189,10 +190,10 @@ void PatientPage::open_trial(int session_index, int trial_index) {
   using Loaded = std::optional<Result<LoadedTrial>>;
   loading_trial_ = clinic_.read(
       this,
-      [mine, wanted = wanted_trial_, course = course_, &chosen,
-       &record](storage::SessionStore& store) -> Loaded {
+      [mine, wanted = wanted_trial_, course = course_, &chosen, &record,
+       library = library_](storage::SessionStore& store) -> Loaded {
         if (*wanted != mine) return std::nullopt;
-        return load_trial(store, chosen.record, record);
+        return load_trial(store, chosen.record, record, library);
       },
       [this, mine](Loaded outcome) {
         if (*wanted_trial_ != mine || !outcome) return;

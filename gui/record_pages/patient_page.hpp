@@ -25,7 +25,8 @@ class PatientPage final : public QWidget {
  public:
   enum class View : std::uint8_t { trends, comparison, trial };
 
-  explicit PatientPage(Clinic& clinic, QWidget* parent = nullptr);
+  /// `library`: folder of the shipped one.
+  PatientPage(Clinic& clinic, std::string library, QWidget* parent = nullptr);
 
   /// Reads what is stored, also if the patient is the one that is shown; an empty code: nobody.
   void show_patient(const std::string& code);
@@ -48,6 +49,7 @@ class PatientPage final : public QWidget {
   void tell();
 
   Clinic& clinic_;
+  std::string library_;
   std::string code_;
   std::shared_ptr<const PatientCourse> course_;
   bool loading_course_ = false;

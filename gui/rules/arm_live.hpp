@@ -7,7 +7,7 @@
 #include <array>
 #include <optional>
 
-#include "gui/rules/arm_space.hpp"
+#include "gui/picture/arm_space.hpp"
 #include "session/arm/arm_snapshot.hpp"
 
 namespace isograsp::gui {

@@ -86,7 +86,7 @@ QString words_of(PostureItem item, const std::string& value) {
   return words.isEmpty() ? as_stored : words;
 }
 
-std::vector<storage::SessionAnswer> stored(const Posture& posture) {
+std::vector<storage::SessionAnswer> stored(const SittingPosture& posture) {
   std::vector<storage::SessionAnswer> answers;
   for (const auto item : kPostureOrder)
     if (!posture.of(item).empty())
@@ -94,8 +94,8 @@ std::vector<storage::SessionAnswer> stored(const Posture& posture) {
   return answers;
 }
 
-Posture posture_in(const std::vector<storage::SessionAnswer>& answers) {
-  Posture posture;
+SittingPosture posture_in(const std::vector<storage::SessionAnswer>& answers) {
+  SittingPosture posture;
   for (const auto& answer : answers)
     for (const auto item : kPostureOrder)
       if (answer.topic == kPostureTopic && answer.item == name_of(item))
@@ -103,7 +103,7 @@ Posture posture_in(const std::vector<storage::SessionAnswer>& answers) {
   return posture;
 }
 
-QString deviations(const Posture& now, const Posture& last) {
+QString deviations(const SittingPosture& now, const SittingPosture& last) {
   QStringList found;
   for (const auto item : kPostureOrder)
     if (!last.of(item).empty() && now.of(item) != last.of(item))

@@ -33,21 +33,21 @@ inline constexpr std::array<PostureItem, kPostureItems> kPostureOrder{
 /// A stored value in words.
 [[nodiscard]] QString words_of(PostureItem item, const std::string& value);
 
-struct Posture {
+struct SittingPosture {
   std::array<std::string, kPostureItems> values;  ///< empty: not said
 
   [[nodiscard]] const std::string& of(PostureItem item) const {
     return values[static_cast<std::size_t>(item)];
   }
   std::string& of(PostureItem item) { return values[static_cast<std::size_t>(item)]; }
-  [[nodiscard]] bool said() const { return *this != Posture{}; }
-  friend bool operator==(const Posture&, const Posture&) = default;
+  [[nodiscard]] bool said() const { return *this != SittingPosture{}; }
+  friend bool operator==(const SittingPosture&, const SittingPosture&) = default;
 };
 
 /// As stored with the session; what was not said is left out.
-[[nodiscard]] std::vector<storage::SessionAnswer> stored(const Posture& posture);
-[[nodiscard]] Posture posture_in(const std::vector<storage::SessionAnswer>& answers);
+[[nodiscard]] std::vector<storage::SessionAnswer> stored(const SittingPosture& posture);
+[[nodiscard]] SittingPosture posture_in(const std::vector<storage::SessionAnswer>& answers);
 /// "elbow 90° instead of 110°, wrist …"; empty: the same, or nothing to compare with.
-[[nodiscard]] QString deviations(const Posture& now, const Posture& last);
+[[nodiscard]] QString deviations(const SittingPosture& now, const SittingPosture& last);
 
 }  // namespace isograsp::gui

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "gui/arm_pages/cameras_dialog.hpp"
+#include "gui/arm_pages/first_visit_offer.hpp"
 #include "gui/look/look.hpp"
 #include "gui/session_pages/device_list.hpp"
 
@@ -43,6 +44,7 @@ ConnectForm::ConnectForm(SessionPresenter& presenter, QWidget* parent)
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(7);
   column->addWidget(devices_);
+  column->addWidget(new FirstVisitOffer(presenter_));
   column->addWidget(connect_);
   column->addWidget(progress_);
   fill(presenter_.state().choices.device_uri);

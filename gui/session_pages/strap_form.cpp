@@ -16,7 +16,7 @@ namespace {
 constexpr int kLongestMark = 60;  // letters
 
 /// "chair with back, elbow 90°, …"
-QString in_words(const Posture& posture) {
+QString in_words(const SittingPosture& posture) {
   QStringList words;
   for (const auto item : kPostureOrder) {
     if (posture.of(item).empty()) continue;
@@ -104,7 +104,7 @@ QWidget* StrapForm::make_fields() {
 }
 
 void StrapForm::say() {
-  Posture posture;
+  SittingPosture posture;
   for (const auto item : kPostureOrder) {
     const auto i = static_cast<std::size_t>(item);
     const auto value = choices_[i] != nullptr ? choices_[i]->currentData().toString()

@@ -692,6 +692,58 @@
 <context>
     <name>Hand</name>
     <message>
+        <source>%1: tied, this grasp holds (%2)</source>
+        <translation>%1: verbunden, dieser Griff hält (%2)</translation>
+    </message>
+    <message>
+        <source>%1: tied, the grasp of %2 holds (%3)</source>
+        <translation>%1: verbunden, der Griff von %2 hält (%3)</translation>
+    </message>
+    <message>
+        <source>%1: let go, pulled with %2 N &gt; %3 N</source>
+        <translation>%1: losgelassen, Zug %2 N &gt; %3 N</translation>
+    </message>
+    <message>
+        <source>%1: let go, what was left held nothing</source>
+        <translation>%1: losgelassen, was übrig war, hielt nichts</translation>
+    </message>
+    <message>
+        <source>%1: let go for the person</source>
+        <translation>%1: für die Person losgelassen</translation>
+    </message>
+    <message>
+        <source>%1: loose, the object was dropped</source>
+        <translation>%1: frei, das Objekt fiel</translation>
+    </message>
+    <message>
+        <source>%1: loose, the placement is over</source>
+        <translation>%1: frei, die Platzierung ist zu Ende</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>; </source>
+        <translation>; </translation>
+    </message>
+    <message>
+        <source>%1 %2 &gt; %3</source>
+        <translation>%1 %2 &gt; %3</translation>
+    </message>
+    <message>
+        <source>G min</source>
+        <translation>G min</translation>
+    </message>
+    <message>
+        <source>H min</source>
+        <translation>H min</translation>
+    </message>
+    <message>
+        <source>H det</source>
+        <translation>H det</translation>
+    </message>
+    <message>
         <source>Thumb</source>
         <translation>Daumen</translation>
     </message>
@@ -1212,12 +1264,20 @@
         <translation>Gut gemacht</translation>
     </message>
     <message>
+        <source>Relax your arm.</source>
+        <translation>Arm entspannen.</translation>
+    </message>
+    <message>
         <source>Relax your hand.</source>
         <translation>Hand entspannen.</translation>
     </message>
     <message>
         <source>Please take your hand out of the device</source>
         <translation>Bitte die Hand aus dem Gerät nehmen</translation>
+    </message>
+    <message>
+        <source>Relax your arm</source>
+        <translation>Arm entspannen</translation>
     </message>
     <message>
         <source>Relax your hand</source>
@@ -1230,6 +1290,10 @@
     <message>
         <source>The device needs help. You did nothing wrong. Relax your hand.</source>
         <translation>Das Gerät braucht Hilfe. Sie haben nichts falsch gemacht. Entspannen Sie die Hand.</translation>
+    </message>
+    <message>
+        <source>Pause. Relax your arm.</source>
+        <translation>Pause. Entspannen Sie den Arm.</translation>
     </message>
     <message>
         <source>Pause. Relax your hand.</source>
@@ -1641,6 +1705,42 @@
 </context>
 <context>
     <name>QObject</name>
+    <message>
+        <source>Pull of the fingers on their ties</source>
+        <translation>Zug der Finger an ihren Verbindungen</translation>
+    </message>
+    <message>
+        <source>Opening of the hand</source>
+        <translation>Öffnung der Hand</translation>
+    </message>
+    <message>
+        <source>lets go above</source>
+        <translation>löst sich über</translation>
+    </message>
+    <message>
+        <source>Thumb to index</source>
+        <translation>Daumen bis Zeigefinger</translation>
+    </message>
+    <message>
+        <source>The hand cannot be drawn: %1.</source>
+        <translation>Die Hand kann nicht gezeichnet werden: %1.</translation>
+    </message>
+    <message>
+        <source>Size of the hand</source>
+        <translation>Größe der Hand</translation>
+    </message>
+    <message>
+        <source>usual: not measured</source>
+        <translation>übliche: nicht gemessen</translation>
+    </message>
+    <message>
+        <source>without the hand</source>
+        <translation>ohne die Hand</translation>
+    </message>
+    <message>
+        <source>of the other hand</source>
+        <translation>von der anderen Hand</translation>
+    </message>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
@@ -3500,14 +3600,6 @@ Neu verbunden: %7</translation>
         <translation>Eine Kamera sieht die Person, bis die Sitzung endet. Kein Bild wird gelesen oder gespeichert</translation>
     </message>
     <message>
-        <source>%1: pull</source>
-        <translation>%1: Zug</translation>
-    </message>
-    <message>
-        <source>%1: how hard it pulls away, as a share of the pull at which its tie lets go</source>
-        <translation>%1: wie stark er wegzieht, als Anteil des Zugs, bei dem die Verbindung loslässt</translation>
-    </message>
-    <message>
         <source>The hand is shown once the tracker is connected.</source>
         <translation>Die Hand erscheint, sobald die Handverfolgung verbunden ist.</translation>
     </message>
@@ -3548,52 +3640,8 @@ Neu verbunden: %7</translation>
         <translation>%1 Virtuelle Hand %2 mm neben der verfolgten.</translation>
     </message>
     <message>
-        <source>–</source>
-        <translation>–</translation>
-    </message>
-    <message>
-        <source>%1 of %2 N</source>
-        <translation>%1 von %2 N</translation>
-    </message>
-    <message>
-        <source>Grasp: fewer than two fingers touch.</source>
-        <translation>Griff: weniger als zwei Finger berühren.</translation>
-    </message>
-    <message>
-        <source>Grasp: ✓ it holds, and may be helped.</source>
-        <translation>Griff: ✓ er hält und darf Hilfe haben.</translation>
-    </message>
-    <message>
-        <source>Grasp: ✗ only the help holds it.</source>
-        <translation>Griff: ✗ nur die Hilfe hält ihn.</translation>
-    </message>
-    <message>
-        <source>Grasp: ✗ it does not hold yet.</source>
-        <translation>Griff: ✗ er hält noch nicht.</translation>
-    </message>
-    <message>
-        <source>above %1</source>
-        <translation>über %1</translation>
-    </message>
-    <message>
-        <source>Hold, weakest direction (G min)</source>
-        <translation>Halt, schwächste Richtung (G min)</translation>
-    </message>
-    <message>
-        <source>Hand, weakest direction (H min)</source>
-        <translation>Hand, schwächste Richtung (H min)</translation>
-    </message>
-    <message>
-        <source>Hand, on the whole (H det)</source>
-        <translation>Hand, insgesamt (H det)</translation>
-    </message>
-    <message>
         <source>%1 pictures a second · %2 % of the last 10 s not seen · times lost: %3</source>
         <translation>%1 Bilder je Sekunde · %2 % der letzten 10 s nicht gesehen · Mal verloren: %3</translation>
-    </message>
-    <message>
-        <source>Grasp: no object is there.</source>
-        <translation>Griff: Es ist kein Objekt da.</translation>
     </message>
 </context>
 <context>
@@ -6734,6 +6782,10 @@ Neuester Wert %3.%4 Pfeiltasten gehen zum nächsten Bild, Eingabe oder ein Klick
 <context>
     <name>isograsp::gui::TrialAbout</name>
     <message>
+        <source>Why it was held and let go</source>
+        <translation>Warum gehalten und losgelassen wurde</translation>
+    </message>
+    <message>
         <source>About this trial</source>
         <translation>Über diesen Versuch</translation>
     </message>
@@ -6976,6 +7028,80 @@ Neuester Wert %3.%4 Pfeiltasten gehen zum nächsten Bild, Eingabe oder ein Klick
     <message>
         <source>Measuring the empty device</source>
         <translation>Das leere Gerät wird gemessen</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::GraspView</name>
+    <message>
+        <source>Hold, weakest direction (G min)</source>
+        <translation>Halt, schwächste Richtung (G min)</translation>
+    </message>
+    <message>
+        <source>Hand, weakest direction (H min)</source>
+        <translation>Hand, schwächste Richtung (H min)</translation>
+    </message>
+    <message>
+        <source>Hand, on the whole (H det)</source>
+        <translation>Hand, insgesamt (H det)</translation>
+    </message>
+    <message>
+        <source>%1: pull</source>
+        <translation>%1: Zug</translation>
+    </message>
+    <message>
+        <source>%1: how hard it pulls away, as a share of the pull at which its tie lets go</source>
+        <translation>%1: wie stark er wegzieht, als Anteil des Zugs, bei dem die Verbindung loslässt</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>%1 of %2 N</source>
+        <translation>%1 von %2 N</translation>
+    </message>
+    <message>
+        <source>Grasp: no object is there.</source>
+        <translation>Griff: Es ist kein Objekt da.</translation>
+    </message>
+    <message>
+        <source>Grasp: fewer than two fingers touch.</source>
+        <translation>Griff: weniger als zwei Finger berühren.</translation>
+    </message>
+    <message>
+        <source>Grasp: ✓ it holds, and may be helped.</source>
+        <translation>Griff: ✓ er hält und darf Hilfe haben.</translation>
+    </message>
+    <message>
+        <source>Grasp: ✗ only the help holds it.</source>
+        <translation>Griff: ✗ nur die Hilfe hält ihn.</translation>
+    </message>
+    <message>
+        <source>Grasp: ✗ it does not hold yet.</source>
+        <translation>Griff: ✗ er hält noch nicht.</translation>
+    </message>
+    <message>
+        <source>above %1</source>
+        <translation>über %1</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::FirstVisitOffer</name>
+    <message>
+        <source>Begin as a first &amp;visit</source>
+        <translation>Erstbesuch &amp;vorziehen</translation>
+    </message>
+    <message>
+        <source>Choose the protocol of a first visit</source>
+        <translation>Das Protokoll eines ersten Besuchs wählen</translation>
+    </message>
+    <message>
+        <source>It begins with practice in bouts (Alt+V)</source>
+        <translation>Es beginnt mit Übung in Abschnitten (Alt+V)</translation>
+    </message>
+    <message>
+        <source>This arm has not worked with the cameras before. “%1” begins with %2 minutes of practice.</source>
+        <translation>Dieser Arm hat noch nie mit den Kameras gearbeitet. „%1“ beginnt mit %2 Minuten Übung.</translation>
     </message>
 </context>
 </TS>

@@ -692,6 +692,58 @@
 <context>
     <name>Hand</name>
     <message>
+        <source>%1: tied, this grasp holds (%2)</source>
+        <translation>%1 : lié, cette prise tient (%2)</translation>
+    </message>
+    <message>
+        <source>%1: tied, the grasp of %2 holds (%3)</source>
+        <translation>%1 : lié, la prise de %2 tient (%3)</translation>
+    </message>
+    <message>
+        <source>%1: let go, pulled with %2 N &gt; %3 N</source>
+        <translation>%1 : lâché, traction %2 N &gt; %3 N</translation>
+    </message>
+    <message>
+        <source>%1: let go, what was left held nothing</source>
+        <translation>%1 : lâché, ce qui restait ne tenait rien</translation>
+    </message>
+    <message>
+        <source>%1: let go for the person</source>
+        <translation>%1 : lâché pour la personne</translation>
+    </message>
+    <message>
+        <source>%1: loose, the object was dropped</source>
+        <translation>%1 : libre, l’objet est tombé</translation>
+    </message>
+    <message>
+        <source>%1: loose, the placement is over</source>
+        <translation>%1 : libre, le placement est terminé</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>; </source>
+        <translation>; </translation>
+    </message>
+    <message>
+        <source>%1 %2 &gt; %3</source>
+        <translation>%1 %2 &gt; %3</translation>
+    </message>
+    <message>
+        <source>G min</source>
+        <translation>G min</translation>
+    </message>
+    <message>
+        <source>H min</source>
+        <translation>H min</translation>
+    </message>
+    <message>
+        <source>H det</source>
+        <translation>H det</translation>
+    </message>
+    <message>
         <source>Thumb</source>
         <translation>Pouce</translation>
     </message>
@@ -1212,12 +1264,20 @@
         <translation>Très bien</translation>
     </message>
     <message>
+        <source>Relax your arm.</source>
+        <translation>Relâchez le bras.</translation>
+    </message>
+    <message>
         <source>Relax your hand.</source>
         <translation>Détendez la main.</translation>
     </message>
     <message>
         <source>Please take your hand out of the device</source>
         <translation>Retirez la main de l’appareil</translation>
+    </message>
+    <message>
+        <source>Relax your arm</source>
+        <translation>Relâchez le bras</translation>
     </message>
     <message>
         <source>Relax your hand</source>
@@ -1230,6 +1290,10 @@
     <message>
         <source>The device needs help. You did nothing wrong. Relax your hand.</source>
         <translation>L’appareil a besoin d’aide. Vous n’avez rien fait de mal. Détendez la main.</translation>
+    </message>
+    <message>
+        <source>Pause. Relax your arm.</source>
+        <translation>Pause. Relâchez le bras.</translation>
     </message>
     <message>
         <source>Pause. Relax your hand.</source>
@@ -1641,6 +1705,42 @@
 </context>
 <context>
     <name>QObject</name>
+    <message>
+        <source>Pull of the fingers on their ties</source>
+        <translation>Traction des doigts sur leurs liens</translation>
+    </message>
+    <message>
+        <source>Opening of the hand</source>
+        <translation>Ouverture de la main</translation>
+    </message>
+    <message>
+        <source>lets go above</source>
+        <translation>se défait au-dessus de</translation>
+    </message>
+    <message>
+        <source>Thumb to index</source>
+        <translation>Pouce à index</translation>
+    </message>
+    <message>
+        <source>The hand cannot be drawn: %1.</source>
+        <translation>La main ne peut pas être dessinée : %1.</translation>
+    </message>
+    <message>
+        <source>Size of the hand</source>
+        <translation>Taille de la main</translation>
+    </message>
+    <message>
+        <source>usual: not measured</source>
+        <translation>usuelle : non mesurée</translation>
+    </message>
+    <message>
+        <source>without the hand</source>
+        <translation>sans la main</translation>
+    </message>
+    <message>
+        <source>of the other hand</source>
+        <translation>de l’autre main</translation>
+    </message>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
@@ -3500,14 +3600,6 @@ Reconnecté&#xa0;: %7</translation>
         <translation>Une caméra voit la personne jusqu’à la fin de la séance. Aucune image n’est lue ni enregistrée</translation>
     </message>
     <message>
-        <source>%1: pull</source>
-        <translation>%1&#xa0;: traction</translation>
-    </message>
-    <message>
-        <source>%1: how hard it pulls away, as a share of the pull at which its tie lets go</source>
-        <translation>%1&#xa0;: force avec laquelle il s’éloigne, en part de la traction où le lien lâche</translation>
-    </message>
-    <message>
         <source>The hand is shown once the tracker is connected.</source>
         <translation>La main apparaît dès que le suivi est connecté.</translation>
     </message>
@@ -3548,52 +3640,8 @@ Reconnecté&#xa0;: %7</translation>
         <translation>%1 Main virtuelle à %2 mm de la main suivie.</translation>
     </message>
     <message>
-        <source>–</source>
-        <translation>–</translation>
-    </message>
-    <message>
-        <source>%1 of %2 N</source>
-        <translation>%1 sur %2 N</translation>
-    </message>
-    <message>
-        <source>Grasp: fewer than two fingers touch.</source>
-        <translation>Prise&#xa0;: moins de deux doigts touchent.</translation>
-    </message>
-    <message>
-        <source>Grasp: ✓ it holds, and may be helped.</source>
-        <translation>Prise&#xa0;: ✓ elle tient et peut être aidée.</translation>
-    </message>
-    <message>
-        <source>Grasp: ✗ only the help holds it.</source>
-        <translation>Prise&#xa0;: ✗ seule l’aide la tient.</translation>
-    </message>
-    <message>
-        <source>Grasp: ✗ it does not hold yet.</source>
-        <translation>Prise&#xa0;: ✗ elle ne tient pas encore.</translation>
-    </message>
-    <message>
-        <source>above %1</source>
-        <translation>plus de %1</translation>
-    </message>
-    <message>
-        <source>Hold, weakest direction (G min)</source>
-        <translation>Tenue, direction la plus faible (G min)</translation>
-    </message>
-    <message>
-        <source>Hand, weakest direction (H min)</source>
-        <translation>Main, direction la plus faible (H min)</translation>
-    </message>
-    <message>
-        <source>Hand, on the whole (H det)</source>
-        <translation>Main, dans l’ensemble (H det)</translation>
-    </message>
-    <message>
         <source>%1 pictures a second · %2 % of the last 10 s not seen · times lost: %3</source>
         <translation>%1 images par seconde · %2 % des 10 dernières s non vues · perdue, fois&#xa0;: %3</translation>
-    </message>
-    <message>
-        <source>Grasp: no object is there.</source>
-        <translation>Prise&#xa0;: aucun objet.</translation>
     </message>
 </context>
 <context>
@@ -6734,6 +6782,10 @@ Dernière valeur %3.%4 Les flèches passent à l’image suivante, Entrée ou un
 <context>
     <name>isograsp::gui::TrialAbout</name>
     <message>
+        <source>Why it was held and let go</source>
+        <translation>Pourquoi tenu, pourquoi lâché</translation>
+    </message>
+    <message>
         <source>About this trial</source>
         <translation>À propos de cet essai</translation>
     </message>
@@ -6976,6 +7028,80 @@ Dernière valeur %3.%4 Les flèches passent à l’image suivante, Entrée ou un
     <message>
         <source>Measuring the empty device</source>
         <translation>Mesure de l’appareil vide</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::GraspView</name>
+    <message>
+        <source>Hold, weakest direction (G min)</source>
+        <translation>Tenue, direction la plus faible (G min)</translation>
+    </message>
+    <message>
+        <source>Hand, weakest direction (H min)</source>
+        <translation>Main, direction la plus faible (H min)</translation>
+    </message>
+    <message>
+        <source>Hand, on the whole (H det)</source>
+        <translation>Main, dans l’ensemble (H det)</translation>
+    </message>
+    <message>
+        <source>%1: pull</source>
+        <translation>%1&#xa0;: traction</translation>
+    </message>
+    <message>
+        <source>%1: how hard it pulls away, as a share of the pull at which its tie lets go</source>
+        <translation>%1&#xa0;: force avec laquelle il s’éloigne, en part de la traction où le lien lâche</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>%1 of %2 N</source>
+        <translation>%1 sur %2 N</translation>
+    </message>
+    <message>
+        <source>Grasp: no object is there.</source>
+        <translation>Prise&#xa0;: aucun objet.</translation>
+    </message>
+    <message>
+        <source>Grasp: fewer than two fingers touch.</source>
+        <translation>Prise&#xa0;: moins de deux doigts touchent.</translation>
+    </message>
+    <message>
+        <source>Grasp: ✓ it holds, and may be helped.</source>
+        <translation>Prise&#xa0;: ✓ elle tient et peut être aidée.</translation>
+    </message>
+    <message>
+        <source>Grasp: ✗ only the help holds it.</source>
+        <translation>Prise&#xa0;: ✗ seule l’aide la tient.</translation>
+    </message>
+    <message>
+        <source>Grasp: ✗ it does not hold yet.</source>
+        <translation>Prise&#xa0;: ✗ elle ne tient pas encore.</translation>
+    </message>
+    <message>
+        <source>above %1</source>
+        <translation>plus de %1</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::FirstVisitOffer</name>
+    <message>
+        <source>Begin as a first &amp;visit</source>
+        <translation>Première &amp;visite d’abord</translation>
+    </message>
+    <message>
+        <source>Choose the protocol of a first visit</source>
+        <translation>Choisir le protocole d’une première visite</translation>
+    </message>
+    <message>
+        <source>It begins with practice in bouts (Alt+V)</source>
+        <translation>Il commence par un entraînement par séries (Alt+V)</translation>
+    </message>
+    <message>
+        <source>This arm has not worked with the cameras before. “%1” begins with %2 minutes of practice.</source>
+        <translation>Ce bras n’a pas encore travaillé avec les caméras. « %1 » commence par %2 minutes d’entraînement.</translation>
     </message>
 </context>
 </TS>

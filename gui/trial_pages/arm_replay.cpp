@@ -24,10 +24,6 @@ std::vector<std::string> recorded_marker_names(const Signals& signals) {
   return names;
 }
 
-double value_at(const Signals& signals, std::optional<std::size_t> column, std::size_t row) {
-  return column ? signals.column(*column)[row] : kMissing;
-}
-
 FrameState state_at(double number) {
   const bool known = number >= 0.0 && number <= static_cast<double>(FrameState::missing);
   return known ? static_cast<FrameState>(std::lround(number)) : FrameState::missing;
@@ -61,26 +57,16 @@ Result<ArmReplay> ArmReplay::make(const storage::SessionRecord& session,
   return arm;
 }
 
-/// Columns are looked up once: a trial has tens of thousands of rows.
 void ArmReplay::find(const Signals& signals) {
-  const auto find_pose = [&](const columns::OfAxes& position,
-                             const columns::OfComponents& attitude) {
-    PosePlaces places;
-    for (std::size_t i = 0; i < position.size(); ++i)
-      places.position[i] = signals.find(position[i]);
-    for (std::size_t i = 0; i < attitude.size(); ++i)
-      places.attitude[i] = signals.find(attitude[i]);
-    return places;
-  };
   for (std::size_t s = 0; s < kArmSegmentCount; ++s) {
     const columns::OfSegment& of = columns::segment_pose[s];
-    segments_[s] = {find_pose(of.position, of.attitude), signals.find(of.residual_m),
+    segments_[s] = {find_pose(signals, of.position, of.attitude), signals.find(of.residual_m),
                     signals.find(of.state)};
   }
   for (std::size_t link = 0; link < kArmLinkCount; ++link)
     for (std::size_t a = 0; a < 3; ++a)
       links_[link][a] = signals.find(columns::link_angle[link][a]);
-  reference_ = find_pose(columns::reference_position, columns::reference_attitude);
+  reference_ = find_pose(signals, columns::reference_position, columns::reference_attitude);
   matched_ = signals.find(columns::matched);
 }
 
@@ -104,21 +90,6 @@ void ArmReplay::look_for_object(const Signals& signals) {
         centre_W_ = p_W;
         return;
       }
-}
-
-Vec3 ArmReplay::vector_at(const Signals& signals, const std::array<Place, 3>& places,
-                          std::size_t row) {
-  return {value_at(signals, places[0], row), value_at(signals, places[1], row),
-          value_at(signals, places[2], row)};
-}
-
-Pose ArmReplay::pose_at(const Signals& signals, const PosePlaces& places, std::size_t row) {
-  const Vec3 p = vector_at(signals, places.position, row);
-  Eigen::Vector4d q;
-  for (std::size_t i = 0; i < places.attitude.size(); ++i)
-    q[static_cast<Eigen::Index>(i)] = value_at(signals, places.attitude[i], row);
-  if (!p.allFinite() || !q.allFinite() || !(q.norm() > 0.0)) return missing_pose();
-  return {p, Quat(q[0], q[1], q[2], q[3]).normalized()};
 }
 
 session::ArmSnapshot ArmReplay::at(const TrialReplay& replay, const ReplayState& state) const {

@@ -9,7 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "gui/rules/arm_space.hpp"
+#include "gui/picture/arm_space.hpp"
+#include "gui/trial_pages/recorded_values.hpp"
 #include "gui/trial_pages/trial_replay.hpp"
 #include "session/arm/arm_snapshot.hpp"
 #include "storage/records/records.hpp"
@@ -38,20 +39,11 @@ class ArmReplay {
   [[nodiscard]] std::vector<Vec3> path(const TrialReplay& replay, double least_step_m) const;
 
  private:
-  using Place = std::optional<std::size_t>;
-  struct PosePlaces {
-    std::array<Place, 3> position;
-    std::array<Place, 4> attitude;
-  };
   struct Segment {
     PosePlaces pose;
     Place residual_m;
     Place state;
   };
-  [[nodiscard]] static Vec3 vector_at(const Signals& signals, const std::array<Place, 3>& places,
-                                      std::size_t row);
-  [[nodiscard]] static Pose pose_at(const Signals& signals, const PosePlaces& places,
-                                    std::size_t row);
   void find(const Signals& signals);
   void look_for_object(const Signals& signals);
 

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <algorithm>
 
+#include "gui/presenter/patient_facts.hpp"
 #include "gui/words/texts.hpp"
 #include "hand/platform_records.hpp"
 
@@ -15,7 +16,7 @@ constexpr double kPathStep_m = 0.0005;
 }  // namespace
 
 Result<LoadedTrial> load_trial(storage::SessionStore& store, const storage::SessionRecord& session,
-                               const storage::TrialRecord& trial) {
+                               const storage::TrialRecord& trial, const std::string& library) {
   auto opened = open_trial(store, session, trial);
   if (!opened) return opened.error();
   LoadedTrial loaded;
@@ -35,9 +36,19 @@ Result<LoadedTrial> load_trial(storage::SessionStore& store, const storage::Sess
       loaded.arm = std::make_shared<const ArmReplay>(*std::move(arm));
       loaded.path = loaded.arm->path(loaded.replay, kPathStep_m);
     } else {
-      loaded.why_no_arm =
+      loaded.why_no_picture =
           QObject::tr("The arm cannot be drawn: %1.").arg(translated(arm.error().what));
     }
+    return loaded;
+  }
+  if (HandReplay::is_of_hand(loaded.replay)) {
+    if (auto hand = hand_of_trial(store, session, trial, library))
+      loaded.tracked =
+          std::make_shared<const HandReplay>(loaded.replay, *std::move(hand), loaded.task.get());
+    else
+      loaded.why_no_picture =
+          QObject::tr("The hand cannot be drawn: %1.").arg(translated(hand.error().what));
+    loaded.path = loaded.replay.path(kPathStep_m);
     return loaded;
   }
   if (!trial.scene_text.empty())
@@ -59,6 +70,14 @@ PatientPicture picture_at(const LoadedTrial& trial, const ReplayState& state) {
     facts.stimulus = session::screen_of(now);
     facts.arm = trial.arm->space();
     facts.centre_W = trial.arm->centre_W();
+    return picture_for(facts);
+  }
+  if (trial.tracked) {
+    facts = patient_facts(trial.tracked->at(trial.replay, state));
+    facts.session_open = facts.arrived = true;
+    facts.hand = trial.opened.session.hand.value_or(Hand::right);
+    facts.task = trial.task;
+    facts.stage = session::Stage::trial;
     return picture_for(facts);
   }
   facts.session_open = true;

@@ -7,8 +7,9 @@
 #include <memory>
 #include <vector>
 
-#include "gui/rules/patient_picture.hpp"
+#include "gui/picture/patient_picture.hpp"
 #include "gui/trial_pages/arm_replay.hpp"
+#include "gui/trial_pages/hand_replay.hpp"
 #include "gui/trial_pages/opened_trial.hpp"
 #include "gui/trial_pages/trial_replay.hpp"
 
@@ -24,15 +25,18 @@ struct LoadedTrial {
   std::vector<Vec3> path;  ///< of the object's centre, in the world; NaN: interrupted
   /// Of an arm seen by cameras, whose world is then that of the screens; null: of anything else.
   std::shared_ptr<const ArmReplay> arm;
-  QString why_no_arm;  ///< an arm was recorded and cannot be drawn; empty: it is no arm, or it can
+  std::shared_ptr<const HandReplay> tracked;  ///< of a tracked hand; null: of anything else
+  QString why_no_picture;  ///< arm or hand was recorded and cannot be drawn; empty: it can
 };
 
+/// `library`: folder of the shipped one, which knows the axes of a hand.
 [[nodiscard]] Result<LoadedTrial> load_trial(storage::SessionStore& store,
                                              const storage::SessionRecord& session,
-                                             const storage::TrialRecord& trial);
+                                             const storage::TrialRecord& trial,
+                                             const std::string& library);
 
-/// What ObjectScene draws of this state. A finger without a value is not there.
-/// @pre trial.scene, trial.task
+/// What the patient's scene draws of this state. A finger without a value is not there.
+/// @pre trial.task; trial.scene, trial.arm or trial.tracked
 [[nodiscard]] PatientPicture picture_at(const LoadedTrial& trial, const ReplayState& state);
 
 }  // namespace isograsp::gui

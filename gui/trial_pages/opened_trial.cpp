@@ -151,21 +151,21 @@ void add_health_facts(const std::string& health_json, std::vector<TrialFact>& fa
 }
 
 constexpr QLatin1String kCameras("cameras");
+constexpr QLatin1String kTracker("tracker");
 
 QJsonObject health_object(const std::string& health_json) {
   return QJsonDocument::fromJson(QByteArray::fromStdString(health_json)).object();
 }
 
-bool is_of_cameras(const std::string& health_json) {
-  return health_object(health_json).contains(kCameras);
-}
-
-/// Counters of the cameras at the end of the trial; they count from the start of the session.
-void add_camera_facts(const std::string& health_json, std::vector<TrialFact>& facts) {
-  const auto cameras = health_object(health_json).value(kCameras).toObject();
-  const std::array<std::pair<const char*, QString>, 3> counters{
+/// Counters of cameras or tracker at the end of the trial; they count from the start of the
+/// session.
+void add_picture_facts(const QJsonObject& cameras, std::vector<TrialFact>& facts) {
+  const std::array<std::pair<const char*, QString>, 6> counters{
       {{"lost", QObject::tr("lost")},
        {"damaged", QObject::tr("damaged")},
+       {"malformed", QObject::tr("damaged")},
+       {"untracked", QObject::tr("without the hand")},
+       {"other_side", QObject::tr("of the other hand")},
        {"restarts", QObject::tr("restarts")}}};
   QStringList counted;
   for (const auto& [key, word] : counters)
@@ -219,8 +219,14 @@ std::vector<TrialFact> facts_of(const OpenedTrial& opened) {
       trial.seed == 0 ? QObject::tr("not known") : QString::number(trial.seed));
   if (const auto maximum_N = storage::value_of(trial.references, platform::kMaximumForce_N))
     add(QObject::tr("Maximum force"), QObject::tr("%1 N").arg(short_number(*maximum_N)));
-  const bool cameras = is_of_cameras(trial.health_json);
-  if (cameras)
+  const QJsonObject health = health_object(trial.health_json);
+  const bool tracked = health.contains(kTracker);
+  const bool cameras = health.contains(kCameras) || tracked;
+  if (tracked)
+    add(QObject::tr("Size of the hand"),
+        trial.preparations.empty() ? QObject::tr("usual: not measured") : QObject::tr("measured"),
+        trial.preparations.empty());
+  else if (cameras)
     add(QObject::tr("Start posture"),
         trial.preparations.empty() ? QObject::tr("none") : QObject::tr("measured"));
   else if (trial.preparations.empty())
@@ -238,7 +244,7 @@ std::vector<TrialFact> facts_of(const OpenedTrial& opened) {
     add(QObject::tr("Latest frame"),
         QObject::tr("%1 ms late").arg(short_number(trial.worst_lateness_s * 1e3)));
   if (cameras)
-    add_camera_facts(trial.health_json, facts);
+    add_picture_facts(health.value(tracked ? kTracker : kCameras).toObject(), facts);
   else
     add_health_facts(trial.health_json, facts);
   return facts;

@@ -15,11 +15,11 @@ void ReplayWindow::show_trial(std::shared_ptr<const LoadedTrial> trial) {
 }
 
 void ReplayWindow::show_state(const ReplayState& state) {
-  const bool object = trial_ != nullptr && (trial_->arm != nullptr || state.X_WO);
+  const bool object = trial_ != nullptr && (trial_->arm || trial_->tracked || state.X_WO);
   show_picture(object ? picture_at(*trial_, state) : PatientPicture{});
 }
 
-void ReplayWindow::draw_path(const ObjectScene& scene, QSize size_px) {
+void ReplayWindow::draw_path(const Project& project, QSize size_px) {
   path_ = QImage(size_px, QImage::Format_ARGB32_Premultiplied);
   path_.fill(Qt::transparent);
   QPainter painter(&path_);
@@ -28,7 +28,7 @@ void ReplayWindow::draw_path(const ObjectScene& scene, QSize size_px) {
   QPolygonF stretch;
   for (const auto& p : trial_->path) {
     if (p.allFinite()) {
-      stretch << scene.project(p, size_px);
+      stretch << project(p);
       continue;
     }
     painter.drawPolyline(stretch);
@@ -37,8 +37,8 @@ void ReplayWindow::draw_path(const ObjectScene& scene, QSize size_px) {
   painter.drawPolyline(stretch);
 }
 
-void ReplayWindow::paint_over(QPainter& painter, const ObjectScene& scene, QSize size_px) {
-  if (path_.size() != size_px) draw_path(scene, size_px);
+void ReplayWindow::paint_over(QPainter& painter, const Project& project, QSize size_px) {
+  if (path_.size() != size_px) draw_path(project, size_px);
   painter.drawImage(0, 0, path_);
 }
 

@@ -18,10 +18,10 @@ class ReplayWindow final : public ObjectWindow {
   void show_state(const ReplayState& state);
 
  protected:
-  void paint_over(QPainter& painter, const ObjectScene& scene, QSize size_px) override;
+  void paint_over(QPainter& painter, const Project& project, QSize size_px) override;
 
  private:
-  void draw_path(const ObjectScene& scene, QSize size_px);
+  void draw_path(const Project& project, QSize size_px);
 
   std::shared_ptr<const LoadedTrial> trial_;
   QImage path_;  ///< the camera never moves: the path is projected once

@@ -2,6 +2,7 @@
 #include "gui/trial_pages/trial_about.hpp"
 
 #include <QHeaderView>
+#include <QStyledItemDelegate>
 #include <utility>
 
 #include "gui/look/look.hpp"
@@ -15,6 +16,20 @@ namespace isograsp::gui {
 namespace {
 constexpr int kFirstColumn_px = 170;
 constexpr int kMarkTime = Qt::UserRole;
+
+/// A text is as high as it is between the paddings of its cell: the style sheet's are left out of
+/// what Qt asks for, and the last line would be cut.
+class PaddedText final : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option,
+                               const QModelIndex& index) const override {
+    constexpr int kPaddings_px = 18;
+    QStyleOptionViewItem between = option;
+    between.rect.setWidth(option.rect.width() - kPaddings_px);
+    return QStyledItemDelegate::sizeHint(between, index);
+  }
+};
 }  // namespace
 
 QString seconds_text(double t_s) {
@@ -28,6 +43,7 @@ TrialAbout::TrialAbout(QWidget* parent) : QTableWidget(0, 2, parent) {
   horizontalHeader()->resizeSection(0, scaled(kFirstColumn_px));
   verticalHeader()->hide();
   verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  setItemDelegate(new PaddedText(this));
   setShowGrid(false);
   setWordWrap(true);
   setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -95,11 +111,21 @@ void TrialAbout::add_marks(const std::vector<TrialMark>& marks) {
   }
 }
 
+/// Why each digit held and let go.
+void TrialAbout::add_story(const std::vector<GraspEvent>& story) {
+  if (!story.empty()) add_heading(tr("Why it was held and let go"));
+  for (const GraspEvent& event : story) {
+    const int row = add(words_of(event), tr("%1 s").arg(seconds_text(event.t_s)), false);
+    item(row, 0)->setData(kMarkTime, event.t_s);
+  }
+}
+
 void TrialAbout::show_trial(const LoadedTrial& trial) {
   setRowCount(0);
   clearSpans();
   add_measures(trial, tr("Measures"), true);
   add_marks(trial.opened.marks);
+  if (trial.tracked) add_story(trial.tracked->story());
   add_heading(tr("About"));
   for (const auto& fact : trial.facts)
     add(fact.doubtful ? tr("⚠ %1").arg(fact.what) : fact.what, fact.value, fact.doubtful);

@@ -26,6 +26,7 @@ class TrialAbout final : public QTableWidget {
   void add_heading(const QString& text);
   void add_measures(const LoadedTrial& trial, const QString& title, bool drawn);
   void add_marks(const std::vector<TrialMark>& marks);
+  void add_story(const std::vector<GraspEvent>& story);
 };
 
 }  // namespace isograsp::gui

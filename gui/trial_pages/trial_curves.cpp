@@ -7,10 +7,12 @@
 #include <numbers>
 #include <utility>
 
+#include "gui/hand_pages/hand_words.hpp"
 #include "gui/look/look.hpp"
 #include "gui/trial_pages/arm_replay.hpp"
+#include "gui/trial_pages/hand_replay.hpp"
 #include "gui/words/words.hpp"
-#include "hand/columns.hpp"
+#include "hand/hand_columns.hpp"
 
 namespace isograsp::gui {
 
@@ -43,8 +45,9 @@ TrialCurve curve_of(const TrialReplay& replay, const std::string& column, const 
   curve.column = replay.signals().find(column);
   curve.name = name;
   curve.colour = colour;
-  curve.target = column.starts_with(columns::kTarget) && column != columns::target_index &&
-                 column != columns::target_shown;
+  curve.target = (column.starts_with(columns::kTarget) && column != columns::target_index &&
+                  column != columns::target_shown) ||
+                 column == columns::release_pull_N;
   for (const Unit& unit : kUnits) {
     if (!column.ends_with(unit.ending)) continue;
     curve.unit = QObject::tr(unit.text);
@@ -52,7 +55,8 @@ TrialCurve curve_of(const TrialReplay& replay, const std::string& column, const 
     break;
   }
   for (const Finger finger : kFingers)
-    if (column.starts_with(name_of(finger)) && (curve.unit == "N" || curve.unit == "N mm"))
+    if (replay.has_fingers() && column.starts_with(name_of(finger)) &&
+        (curve.unit == "N" || curve.unit == "N mm"))
       curve.finger = finger;
   curve.of_hand = column == columns::actual_force_N || column.starts_with("net_");
   return curve;
@@ -73,7 +77,10 @@ constexpr std::array<std::pair<CurveSet, ArmLink>, kArmLinkCount> kLinkSets{
 
 std::vector<CurveSet> sets_of(const TrialReplay& replay) {
   std::vector<CurveSet> sets;
-  if (!ArmReplay::is_of_arm(replay)) sets.push_back(CurveSet::forces);
+  const bool hand = HandReplay::is_of_hand(replay);
+  if (!ArmReplay::is_of_arm(replay) && !hand) sets.push_back(CurveSet::forces);
+  if (has_numbers(replay, columns::release_pull_N)) sets.push_back(CurveSet::pulls);
+  if (hand) sets.push_back(CurveSet::opening);
   for (const auto& [set, link] : kLinkSets)
     if (has_numbers(replay, columns::link_angle[index_of(link)][0])) sets.push_back(set);
   if (has_numbers(replay, columns::actual_position[0])) sets.push_back(CurveSet::position);
@@ -88,6 +95,8 @@ QString words_of(CurveSet set) {
     case CurveSet::forearm: return QObject::tr("Angles of the forearm");
     case CurveSet::wrist: return QObject::tr("Angles of the wrist");
     case CurveSet::fingers: return QObject::tr("Angles of the fingers");
+    case CurveSet::pulls: return QObject::tr("Pull of the fingers on their ties");
+    case CurveSet::opening: return QObject::tr("Opening of the hand");
     case CurveSet::position: return QObject::tr("Position of the object");
     case CurveSet::attitude: return QObject::tr("Angle of the object");
     case CurveSet::chosen: return QObject::tr("Any recorded channel …");
@@ -116,6 +125,14 @@ std::vector<TrialCurve> curves_of(const TrialReplay& replay, CurveSet set,
         for (std::size_t a = 0; of == set && a < 3; ++a)
           add(columns::link_angle[index_of(link)][a], QObject::tr("Angle %1").arg(a + 1),
               kCycle[a]);
+      break;
+    case CurveSet::pulls:
+      for (std::size_t d = 0; d < kDigitCount; ++d)
+        add(columns::pull_N[d], digit_title(static_cast<Digit>(d)), kCycle[d]);
+      add(columns::release_pull_N, QObject::tr("lets go above"), look::kText);
+      break;
+    case CurveSet::opening:
+      add(columns::thumb_index_gap_m, QObject::tr("Thumb to index"), kCycle[0]);
       break;
     case CurveSet::position:
       for (const std::size_t axis : {0U, 1U, 2U}) {

@@ -18,6 +18,8 @@ enum class CurveSet : std::uint8_t {
   forearm,  ///< angles of a link of an arm; so are the next two
   wrist,
   fingers,
+  pulls,    ///< of the digits of a tracked hand on their ties, with what these hold
+  opening,  ///< of thumb and index
   position,
   attitude,
   chosen

@@ -21,6 +21,7 @@ namespace {
 constexpr int kFrame_ms = 33;       // of the replay on the screen
 constexpr double kSlider_Hz = 1e3;  // steps of the slider
 constexpr int kAbout_px = 284;
+constexpr int kGrasp_px = 410;
 constexpr int kAboutBelow_px = 180;  // with large letters
 
 QString phase_words(tasks::Phase phase) {
@@ -93,10 +94,13 @@ QWidget* TrialView::make_pictures() {
   arm_ = new ArmViews;
   arm_->setObjectName("trial_arm");
   take_rest(*arm_, 120);
+  grasp_ = new GraspView("replay_");
+  grasp_->setFixedWidth(scaled(kGrasp_px));
   auto* beside = new QHBoxLayout;
   beside->setSpacing(6);
   beside->addWidget(object_, 2);
   beside->addWidget(arm_, 3);
+  beside->addWidget(grasp_);
   column->addLayout(beside, 9);
   column->addWidget(why_flat_);
   column->addWidget(plot_, 10);
@@ -209,7 +213,7 @@ void TrialView::show_trial(std::shared_ptr<const LoadedTrial> trial) {
   const auto damage = QString::fromStdString(trial_->opened.damage);
   const auto problem = !damage.isEmpty()                ? damage
                        : !trial_->why_nothing.isEmpty() ? trial_->why_nothing
-                                                        : trial_->why_no_arm;
+                                                        : trial_->why_no_picture;
   warning_->setText(tr("⚠ %1").arg(problem));
   warning_->setVisible(!problem.isEmpty());
   const bool any = replay.rows() > 0;
@@ -261,10 +265,12 @@ void TrialView::show_object() {
   const ArmReplay* arm = trial_->arm.get();
   arm_->setVisible(arm != nullptr);
   if (arm == nullptr) arm_->show_nothing();
+  const HandReplay* tracked = trial_->tracked.get();
+  grasp_->setVisible(tracked != nullptr && tracked->has_object());
   const bool object = arm != nullptr ? arm->has_object() : trial_->replay.has_object();
   static const bool kOpenGl = why_no_opengl().empty();
-  const bool solid =
-      object && kOpenGl && trial_->task != nullptr && (arm != nullptr || trial_->scene != nullptr);
+  const bool drawn = arm != nullptr || tracked != nullptr || trial_->scene != nullptr;
+  const bool solid = object && kOpenGl && trial_->task != nullptr && drawn;
   object_->setVisible(object && (solid || arm == nullptr));  // three views are flat already
   why_flat_->setVisible(object && !kOpenGl);
   if (!object) return;
@@ -335,6 +341,7 @@ void TrialView::show_time() {
   plot_->set_cursor(t_s);
   const auto state = replay.at(t_s);
   if (trial_->arm) arm_->show_arm(trial_->arm->at(replay, state), trial_->arm->space());
+  if (trial_->tracked) grasp_->show_grasp(grasp_live(trial_->tracked->at(replay, state)));
   if (!trial_->arm && object_->isVisible() && object_->currentIndex() == 0)
     flat_->show_state(state);
   if (window_ != nullptr && object_->currentIndex() == 1) window_->show_state(state);

@@ -13,6 +13,7 @@
 #include <memory>
 
 #include "gui/arm_pages/arm_views.hpp"
+#include "gui/hand_pages/grasp_view.hpp"
 #include "gui/look/card.hpp"
 #include "gui/trial_pages/loaded_trial.hpp"
 #include "gui/trial_pages/object_path_view.hpp"
@@ -67,7 +68,8 @@ class TrialView final : public Card {
   QStackedWidget* object_;  ///< 3D picture or flat path
   ObjectPathView* flat_;
   ReplayWindow* window_ = nullptr;  ///< made when there is OpenGL and an object; of its container
-  ArmViews* arm_;  ///< an arm from three sides, beside the picture that its person saw
+  ArmViews* arm_;     ///< an arm from three sides, beside the picture that its person saw
+  GraspView* grasp_;  ///< why a tracked hand held, beside the picture
   QLabel* why_flat_;
   TrialPlot* plot_;
   QLabel* reading_;

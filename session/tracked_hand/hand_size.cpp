@@ -5,6 +5,9 @@
 #include <cmath>
 #include <string>
 
+#include "core/files.hpp"
+#include "session/library/library.hpp"
+
 namespace isograsp::session {
 
 namespace {
@@ -31,6 +34,15 @@ void for_each_length(Model& hand, Each each) {
 }
 
 }  // namespace
+
+Result<virtual_hand::HandModel> usual_hand(const std::string& library,
+                                           const std::string& asked_by) {
+  const auto path = find_in_library(library, "hands", "default", asked_by);
+  if (!path) return path.error();
+  const auto text = read_text(*path);
+  if (!text) return text.error();
+  return virtual_hand::parse_hand(*text, *path);
+}
 
 void add_hand_size(const virtual_hand::HandModel& hand, storage::PreparationRecord& record) {
   for_each_length(hand, [&record](const std::string& name, double value) {

@@ -4,12 +4,18 @@
 // virtual_hand/hand_model.hpp). Not real-time.
 #pragma once
 
+#include <string>
+
 #include "core/result.hpp"
 #include "storage/records/records.hpp"
 #include "virtual_hand/hand_model.hpp"
 
 namespace isograsp::session {
 
+/// Axes and limits of every hand, and the size of one that was not measured: `hands/default` of the
+/// library. Errors name `asked_by`, what it is for.
+[[nodiscard]] Result<virtual_hand::HandModel> usual_hand(const std::string& library,
+                                                         const std::string& asked_by);
 /// Adds length and breadth of the hand, bases and links of its digits to `record`.
 void add_hand_size(const virtual_hand::HandModel& hand, storage::PreparationRecord& record);
 /// The hand of this size; axes and limits are those of `model`. Errors: a column is missing.

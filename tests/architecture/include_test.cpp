@@ -186,7 +186,7 @@ Names reached_from(const std::string& file) {
 }
 
 TEST(Includes, ThePatientsPictureIsDrawnFromTheStimulusThatASimulatedPersonGets) {
-  for (const char* file : {"gui/rules/patient_picture.hpp", "gui/rules/patient_picture.cpp"}) {
+  for (const char* file : {"gui/picture/patient_picture.hpp", "gui/picture/patient_picture.cpp"}) {
     const Names reached = reached_from(file);
     EXPECT_TRUE(reached.contains("hand/stimulus.hpp")) << file;
     for (const std::string& header : reached)
@@ -196,7 +196,7 @@ TEST(Includes, ThePatientsPictureIsDrawnFromTheStimulusThatASimulatedPersonGets)
   const std::regex kState(R"(\b(Moment|Snapshot|TaskProgress|TaskView|ForceView|ObjectView)\b)");
   int read = 0;
   for (const Source& source : all_sources())
-    if (source.file.starts_with("gui/rules/patient_picture.")) {
+    if (source.file.starts_with("gui/picture/patient_picture.")) {
       ++read;
       EXPECT_FALSE(std::regex_search(code_of(source.text()), kState)) << source.file;
     }

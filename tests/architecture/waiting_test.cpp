@@ -29,6 +29,7 @@ const std::map<std::string, FixedWaits>& fixed_waits() {
       {"tests/gui/fault_test.cpp", {2, "the disk is looked at in the background, unseen"}},
       {"tests/storage/kill_test.cpp", {3, "a process is ended at a random moment"}},
       {"tests/storage/newer_measures_test.cpp", {1, "a process is ended at a random moment"}},
+      {"tests/storage/writer.cpp", {1, "records ten times a second; asserts nothing"}},
       {"tests/device/udp_bus_test.cpp",
        {3, "a computer that is busy elsewhere; arrivals while the other side waits"}}};
   return kWaits;

@@ -9,9 +9,9 @@
 #include "core/files.hpp"
 #include "gui/look/marker_history.hpp"
 #include "gui/patient_screen/patient_canvas.hpp"
+#include "gui/picture/arm_space.hpp"
 #include "gui/presenter/patient_facts.hpp"
 #include "gui/rules/arm_live.hpp"
-#include "gui/rules/arm_space.hpp"
 #include "gui/rules/picture_check.hpp"
 #include "gui/rules/still_watch.hpp"
 #include "qt_test.hpp"
@@ -223,6 +223,31 @@ TEST(ArmPicture, AskedForSomethingThatIsNotDrawnThePatientReadsWhatToDo) {
   const PatientPicture picture = picture_for(facts);
   EXPECT_EQ(picture.page, PatientPicture::Page::message);
   EXPECT_TRUE(picture.headline.starts_with("Take the glass")) << picture.headline;
+}
+
+TEST(ArmPicture, WhatMayRestIsTheArmInEveryPartOfASession) {
+  const auto words_of = [](const PatientFacts& facts) {
+    const PatientPicture picture = picture_for(facts);
+    return picture.headline + "|" + picture.detail + "|" + picture.notice_words;
+  };
+  int told = 0;
+  for (const bool completed : {false, true})
+    for (const bool missed : {false, true})
+      for (const bool fault : {false, true})
+        for (const auto stage : {session::Stage::idle, session::Stage::paused}) {
+          PatientFacts facts;
+          facts.session_open = facts.arrived = true;
+          facts.just_completed = completed;
+          facts.just_missed = missed;
+          facts.device_fault = fault;
+          facts.stage = stage;
+          facts.stimulus.cue = Cue::relax;
+          EXPECT_EQ(words_of(facts).find("your arm"), std::string::npos) << words_of(facts);
+          facts.arm = std::make_shared<ArmSpace>(setup_with({}, Hand::right), Hand::right);
+          EXPECT_EQ(words_of(facts).find("your hand"), std::string::npos) << words_of(facts);
+          told += words_of(facts).find("Relax your arm") != std::string::npos ? 1 : 0;
+        }
+  EXPECT_EQ(told, 16);
 }
 
 TEST(ArmPicture, TheRangeSoFarIsOnItsPageMirroredForALeftArm) {

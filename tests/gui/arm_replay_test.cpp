@@ -40,7 +40,8 @@ class ArmTrialReplay : public QtTest {
     const auto session = must(store->recent_sessions(1)).at(0);
     std::map<std::string, std::shared_ptr<const LoadedTrial>> trials;
     for (const auto& trial : must(store->trials(session.id))) {
-      auto loaded = std::make_shared<LoadedTrial>(must(load_trial(*store, session, trial)));
+      auto loaded =
+          std::make_shared<LoadedTrial>(must(load_trial(*store, session, trial, library)));
       trials.emplace(loaded->task->kind->name, std::move(loaded));
     }
     return trials;
@@ -54,8 +55,8 @@ std::size_t column(const Signals& signals, const Column& of) {
 
 TEST_F(ArmTrialReplay, ShowsEveryRowAsItWasRecordedAndNothingBetweenTwo) {
   const auto trial = measured("7").at("pose_matching");
-  ASSERT_NE(trial->arm, nullptr) << trial->why_no_arm.toStdString();
-  EXPECT_TRUE(trial->why_no_arm.isEmpty());
+  ASSERT_NE(trial->arm, nullptr) << trial->why_no_picture.toStdString();
+  EXPECT_TRUE(trial->why_no_picture.isEmpty());
   ASSERT_TRUE(trial->arm->has_object());
   const Signals& signals = trial->replay.signals();
   const auto t_s = signals.column(columns::t_s);

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "gui/patient_screen/object_scene.hpp"
-#include "gui/rules/arm_space.hpp"
+#include "gui/picture/arm_space.hpp"
 #include "qt_test.hpp"
 
 namespace isograsp::gui::test::arm_scene_test {

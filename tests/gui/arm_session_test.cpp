@@ -97,6 +97,20 @@ TEST_F(ArmInWindows, TasksAndProtocolsAreThoseOfWhatIsChosen) {
   EXPECT_EQ(state().chosen_protocol().spec.name, usual);
 }
 
+TEST_F(ArmInWindows, OnItsFirstVisitAnArmIsOfferedTheProtocolThatMakesItFamiliarAndNoOther) {
+  operator_.prepare_person();
+  EXPECT_FALSE(operator_.find<QWidget>("take_first_visit").isVisible()) << "no cameras yet";
+  operator_.choose_device(kArmUri);
+  operator_.answer_screening();
+  ASSERT_TRUE(wait_until([&] { return is_there("take_first_visit"); }));
+  EXPECT_TRUE(label("first_visit_words").contains("Arm, first visit"));
+  keep_picture(windows_.therapist(), "arm_first_visit");
+  EXPECT_EQ(state().chosen_protocol().spec.name, "Arm, short") << "nothing is filled in";
+  operator_.press("take_first_visit");
+  EXPECT_EQ(state().chosen_protocol().spec.name, "Arm, first visit");
+  EXPECT_FALSE(is_there("take_first_visit"));
+}
+
 TEST_F(ArmInWindows, AWholeSessionEndsWithItsTrialsInTheDatabase) {
   connect("hand_right");
   expect_only(kArm);
@@ -145,6 +159,13 @@ TEST_F(ArmInWindows, AWholeSessionEndsWithItsTrialsInTheDatabase) {
     EXPECT_EQ(trial.status, storage::TrialStatus::completed) << trial.task_name;
     EXPECT_EQ(trial.dropped, 0) << trial.task_name;
   }
+  // This arm has been here; the other one has not.
+  const auto choose = [&](Hand hand) { windows_.presenter().choices().choose_hand(hand); };
+  choose(Hand::left);
+  ASSERT_TRUE(wait_until([&] { return state().choices.first_time; }));
+  choose(Hand::right);
+  ASSERT_TRUE(wait_until([&] { return !state().choices.interrupted.sought; })) << "asked after it";
+  EXPECT_FALSE(state().choices.first_time);
 }
 
 TEST_F(ArmInWindows, AnArmIsAskedItsOwnQuestionsAndNoneOfItsWordsAreThoseOfThePlatform) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the therapist reads of a tracked hand: numbers of the frame, and of the tracker's counters.
-#include "gui/hand_rules/hand_live.hpp"
+#include "gui/rules/hand_live.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is drawn of a tracked hand: the hand that grasps, what its fingertips and the target tell,
 // what is said where it is out of sight, of a left hand, too; the shadow below it.
-#include "gui/rules/hand_picture.hpp"
+#include "gui/picture/hand_picture.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,6 +8,7 @@
 #include <QOpenGLContext>
 #include <QOpenGLFramebufferObject>
 #include <QPainter>
+#include <QSignalSpy>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -15,6 +16,7 @@
 #include "gui/patient_screen/hand_footer.hpp"
 #include "gui/patient_screen/patient_canvas.hpp"
 #include "gui/presenter/patient_facts.hpp"
+#include "gui/trial_pages/replay_window.hpp"
 #include "hand_stage.hpp"
 #include "qt_test.hpp"
 
@@ -155,6 +157,43 @@ TEST_F(HandSceneDrawn, EachStateOfAPlacementLooksDifferent) {
   const QImage done = screen(picture(), "hand_done");
   EXPECT_GT(count(done, is_purple), kSome);
   EXPECT_LT(count(lifted, is_purple), kSome);
+}
+
+/// In the page of the patient's trials.
+TEST_F(HandSceneDrawn, AStoredTrialShowsTheHandAgainAndThePathOfTheObject) {
+  HandStage stage;
+  stage.pass_entry();
+  const auto task =
+      std::make_shared<tasks::TaskSpec>(HandStage::task("virtual_place_training.toml"));
+  stage.begin(*task);
+  stage.run_to([](const auto& now) { return now.special.hand().let_go_asked; });
+  auto trial = std::make_shared<LoadedTrial>();
+  trial->replay = isograsp::test::must(TrialReplay::make(stage.signals()));
+  trial->task = task;
+  trial->tracked = std::make_shared<const HandReplay>(trial->replay, stage.hand(), task.get());
+  ASSERT_FALSE(trial->tracked->story().empty());
+  const auto at = [&trial](double t_s) { return trial->replay.at(t_s); };
+  ReplayWindow window;
+  window.resize(560, 300);
+  window.show();
+  ASSERT_TRUE(wait_until([&] { return window.isExposed(); }));
+  const auto picture = [&](double t_s, const char* name) {
+    window.show_trial(trial);
+    window.show_state(at(t_s));
+    QSignalSpy drawn_now(&window, &QOpenGLWindow::frameSwapped);
+    EXPECT_TRUE(wait_until([&] { return drawn_now.count() > 0; }));
+    const QImage image = window.grabFramebuffer();
+    const auto folder = qEnvironmentVariable("ISOGRASP_TEST_PICTURES");
+    EXPECT_TRUE(folder.isEmpty() || image.save(folder + "/" + name + ".png"));
+    return image;
+  };
+  const double tied_s = trial->tracked->story().front().t_s + 0.3;
+  const QImage without = picture(tied_s, "hand_replay_drawn");
+  EXPECT_GT(count(without, is_skin), 500);
+  EXPECT_GT(count(without, is_orange), kSome / 4);
+  trial->path = trial->replay.path(0.0005);
+  const QImage with = picture(tied_s, "hand_replay_path");
+  EXPECT_GT(count(with, is_blue), count(without, is_blue) + kSome) << "the path is drawn over it";
 }
 
 TEST_F(HandSceneDrawn, ALeftHandReachesForTheSameObjectAndItsThumbIsOnTheOtherSide) {

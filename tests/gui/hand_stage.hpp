@@ -9,6 +9,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -96,6 +98,29 @@ class HandStage {
         {.kind = session::Command::Kind::begin, .setup = trial_.get()}));
     run(0.02);
   }
+  /// The therapist's key.
+  void let_go() {
+    EXPECT_TRUE(acquisition_->commands().push({.kind = session::Command::Kind::let_go}));
+  }
+  /// Of the trial that has begun.
+  [[nodiscard]] const virtual_hand::HandModel& hand() const {
+    return static_cast<const session::HandTrial&>(*trial_).model;
+  }
+  /// A frame of the trial, and the row that was recorded of it.
+  struct Kept {
+    session::HandSnapshot shown;
+    std::vector<double> row;
+  };
+  [[nodiscard]] const std::vector<Kept>& kept() const noexcept { return kept_; }
+  /// Their rows, as they are stored.
+  [[nodiscard]] Signals signals() const {
+    std::vector<std::string> names;
+    for (const auto& group : trial_->columns())
+      names.insert(names.end(), group.columns.begin(), group.columns.end());
+    Signals signals(std::move(names));
+    for (const Kept& kept : kept_) signals.append_row(kept.row);
+    return signals;
+  }
   static tasks::TaskSpec task(const std::string& name) {
     return isograsp::test::must(
         session::load_task(std::string(ISOGRASP_SOURCE_DIR) + "/library/tasks/" + name));
@@ -106,6 +131,9 @@ class HandStage {
   void tick() {
     EXPECT_TRUE(acquisition_->tick());
     while (acquisition_->records().pop(item_)) {
+      if (item_.kind != session::RecordItem::Kind::sample) continue;
+      const auto values = item_.row.values();
+      kept_.push_back({now(), {values.begin(), values.end()}});
     }
   }
 
@@ -116,6 +144,7 @@ class HandStage {
   std::unique_ptr<session::TrialSetup> trial_;
   std::optional<session::Acquisition> acquisition_;
   session::RecordItem item_;
+  std::vector<Kept> kept_;
 };
 
 }  // namespace isograsp::gui::test

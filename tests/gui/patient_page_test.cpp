@@ -29,7 +29,7 @@ class PatientPageTest : public QtTest {
     store->reset();
     clinic_ = std::make_unique<Clinic>(path_);
     host_.resize(1180, 640);
-    page_ = new PatientPage(*clinic_, &host_);
+    page_ = new PatientPage(*clinic_, ISOGRASP_SOURCE_DIR "/library", &host_);
     page_->resize(host_.size());
     host_.show();
     clinic_->open();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the patient sees: one instruction, fingers that follow force, faults in kind words.
-#include "gui/rules/patient_picture.hpp"
+#include "gui/picture/patient_picture.hpp"
 
 #include <gtest/gtest.h>
 

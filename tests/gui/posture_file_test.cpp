@@ -45,7 +45,7 @@ TEST(PostureFile, EveryPostureHasANameOfItsOwnWhateverIsAdded) {
   Postures postures = shipped("screw").postures;
   for (int i = 0; i < 3; ++i) postures = with_added(postures, 1, postures.postures[1]);
   std::vector<std::string> names;
-  for (const isograsp::Posture& posture : postures.postures) names.push_back(posture.name);
+  for (const Posture& posture : postures.postures) names.push_back(posture.name);
   EXPECT_EQ(names, (std::vector<std::string>{"initial", "unscrew", "unscrew 4", "unscrew 3",
                                              "unscrew 2", "screw"}));
   EXPECT_TRUE(parse_postures(postures_text(postures), "a.toml").ok());

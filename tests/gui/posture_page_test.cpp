@@ -119,7 +119,7 @@ TEST_F(PosturePage, ALinkIsTurnedAndMovedByTheFieldsAndByKeys) {
   operator_.find<QDoubleSpinBox>("posture_angle").setValue(12.5);
   operator_.find<QDoubleSpinBox>("posture_way").setValue(4.0);
   operator_.press("posture_turn_y_on");
-  const isograsp::Posture turned = with_link_changed(
+  const Posture turned = with_link_changed(
       before.postures[1], 1, turn_about(EditAxis::y, 12.5 * kDegree_rad), EditAxes::own);
   EXPECT_WITHIN(angle_between(now().postures[1].X_L[1].q, turned.X_L[1].q), 0.0, kRounding);
   EXPECT_EQ(now().postures[1].X_L[1].p, before.postures[1].X_L[1].p);

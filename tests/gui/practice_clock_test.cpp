@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The clock of an arm that is made familiar with its tasks: what counts, and when it is enough.
-#include "gui/presenter/practice_clock.hpp"
+#include "gui/rules/practice_clock.hpp"
 
 #include <gtest/gtest.h>
 

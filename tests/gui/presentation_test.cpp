@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What suits one person on the screen, and that an angle on it is what was asked for.
-#include "gui/rules/presentation.hpp"
+#include "gui/picture/presentation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -59,23 +59,23 @@ TEST(Presentation, AnAngleIsHalfAsLargeFromTwiceAsFar) {
   EXPECT_FALSE(Viewing({0.0, 0.6}).known()) << "a display that does not tell its size";
 }
 
-TEST(Posture, WhatIsStoredIsReadBack) {
-  Posture posture;
+TEST(SittingPosture, WhatIsStoredIsReadBack) {
+  SittingPosture posture;
   for (const auto item : kPostureOrder)
     posture.of(item) = choices_of(item).empty() ? "B 3" : choices_of(item).back();
   EXPECT_EQ(posture_in(stored(posture)), posture);
-  EXPECT_TRUE(stored(Posture{}).empty()) << "what was not said is not stored";
+  EXPECT_TRUE(stored(SittingPosture{}).empty()) << "what was not said is not stored";
 }
 
-TEST(Posture, ADeviationNamesWhatIsAndWhatWas) {
-  Posture last;
+TEST(SittingPosture, ADeviationNamesWhatIsAndWhatWas) {
+  SittingPosture last;
   last.of(PostureItem::elbow) = "90";
-  Posture now = last;
+  SittingPosture now = last;
   EXPECT_TRUE(deviations(now, last).isEmpty());
   now.of(PostureItem::elbow) = "110";
   now.of(PostureItem::wrist) = "flexed";
   EXPECT_EQ(deviations(now, last), "Elbow: 110° instead of 90°") << "the wrist was not said before";
-  EXPECT_TRUE(deviations(now, Posture{}).isEmpty());
+  EXPECT_TRUE(deviations(now, SittingPosture{}).isEmpty());
 }
 
 }  // namespace

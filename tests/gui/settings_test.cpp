@@ -166,7 +166,7 @@ TEST_F(SettingsTest, PostureAndScreenAreOfferedAsLastTime) {
   half.sound = true;  // said while the session is open
   presenter.seating().say_presentation(half);
   therapist.set_zero();
-  Posture posture;
+  SittingPosture posture;
   posture.of(PostureItem::elbow) = "90";
   posture.of(PostureItem::straps) = "3, 4, 4";
   presenter.seating().say_posture(posture);

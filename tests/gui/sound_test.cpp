@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "gui/rules/soundtrack.hpp"
+#include "gui/picture/soundtrack.hpp"
 #include "tests/support/within.hpp"
 
 namespace isograsp::gui::sound_test {

@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "gui/patient_screen/patient_canvas.hpp"
+#include "gui/picture/patient_picture.hpp"
 #include "gui/presenter/patient_facts.hpp"
-#include "gui/rules/patient_picture.hpp"
 #include "qt_test.hpp"
 #include "session/demonstration.hpp"
 #include "session/library/library.hpp"

@@ -11,9 +11,9 @@
 
 #include "core/csv.hpp"
 #include "gui/patient_screen/patient_ink.hpp"
+#include "gui/picture/patient_picture.hpp"
 #include "gui/record_pages/profile_cards.hpp"
 #include "gui/rules/flow.hpp"
-#include "gui/rules/patient_picture.hpp"
 #include "gui/words/cue_words.hpp"
 #include "gui/words/profile_words.hpp"
 #include "gui/words/texts.hpp"

@@ -10,7 +10,9 @@ namespace {
 TEST(Sharing, ARecordingProgramIsNotInterruptedByAnotherThatOpensTheFile) {
   TemporaryFolder folder;
   const std::string path = folder.file("clinic.db");
-  WriterProcess writer(path);
+  // Ten times as fast as a session, which stores once a second. Without any pause it is luck
+  // whether another program ever finds the file unlocked.
+  WriterProcess writer(path, "1000000", 0, "1", "100");
   ASSERT_TRUE(writer.wait_for("second 3"));
   const auto store = opened(path, OpenMode::existing);
   const auto patient = must(store->find_patient("P-1"));

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// storage_writer FILE [SECONDS [TRIALS]]: records without pause, one trial of so many seconds after
-// the other, and says on standard output what the store has confirmed. The tests end it without
-// warning. Exit status 3: the store refused, as said.
+// storage_writer FILE [SECONDS [TRIALS [PAUSE_MS]]]: records one trial of so many seconds after the
+// other, without pause or with one after each second, and says on standard output what the store
+// has confirmed. The tests end it without warning. Exit status 3: the store refused, as said.
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <thread>
 
 #include <unistd.h>
 
@@ -25,7 +27,7 @@ void say(const std::string& line) {
 }
 
 void record(isograsp::storage::SessionStore& store, isograsp::storage::RowId session_id, int number,
-            int seconds) {
+            int seconds, int pause_ms) {
   using namespace isograsp::storage;
   TrialRecord trial;
   trial.session_id = session_id;
@@ -52,6 +54,7 @@ void record(isograsp::storage::SessionStore& store, isograsp::storage::RowId ses
         !done)
       give_up(done.error());
     say("event " + std::to_string(second));
+    std::this_thread::sleep_for(std::chrono::milliseconds(pause_ms));
   }
   trial.id = *trial_id;
   trial.status = TrialStatus::completed;
@@ -65,6 +68,7 @@ int main(int argc, char** argv) {
   if (argc < 2) return 2;
   const int seconds = argc > 2 ? std::atoi(argv[2]) : 1 << 20;
   const int trials = argc > 3 ? std::atoi(argv[3]) : 1;
+  const int pause_ms = argc > 4 ? std::atoi(argv[4]) : 0;
   auto opened = open_store(argv[1], OpenMode::create);
   if (!opened) give_up(opened.error());
   SessionStore& store = **opened;
@@ -83,7 +87,7 @@ int main(int argc, char** argv) {
   const auto session_id = store.begin_session(session);
   if (!session_id) give_up(session_id.error());
   for (int number = 1; number <= trials; ++number) {
-    record(store, *session_id, number, seconds);
+    record(store, *session_id, number, seconds, pause_ms);
     say("closed " + std::to_string(number));
   }
   say("done");

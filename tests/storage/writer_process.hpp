@@ -17,8 +17,10 @@ namespace isograsp::storage {
 class WriterProcess {
  public:
   /// `largest_file`: no file may grow beyond this many bytes (0: no limit), as on a full disk.
+  /// `pause_ms`: after each second.
   explicit WriterProcess(const std::string& database, const std::string& seconds = "1000000",
-                         rlim_t largest_file = 0, const std::string& trials = "1") {
+                         rlim_t largest_file = 0, const std::string& trials = "1",
+                         const std::string& pause_ms = "0") {
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
     process_ = fork();
@@ -30,7 +32,7 @@ class WriterProcess {
       }
       dup2(ends[1], STDOUT_FILENO);
       execl(STORAGE_WRITER, STORAGE_WRITER, database.c_str(), seconds.c_str(), trials.c_str(),
-            nullptr);
+            pause_ms.c_str(), nullptr);
       _exit(127);
     }
     close(ends[1]);

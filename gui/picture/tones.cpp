@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gui/rules/tones.hpp"
+#include "gui/picture/tones.hpp"
 
 #include <algorithm>
 #include <cmath>

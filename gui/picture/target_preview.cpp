@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gui/rules/target_preview.hpp"
+#include "gui/picture/target_preview.hpp"
 
 #include <algorithm>
 #include <cmath>

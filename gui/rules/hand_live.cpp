@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gui/hand_rules/hand_live.hpp"
+#include "gui/rules/hand_live.hpp"
 
 #include <algorithm>
 #include <cmath>

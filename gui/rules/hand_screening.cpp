@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gui/hand_rules/hand_screening.hpp"
+#include "gui/rules/hand_screening.hpp"
 
 #include <QCoreApplication>
 #include <QStringList>

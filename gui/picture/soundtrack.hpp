@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "gui/rules/patient_picture.hpp"
-#include "gui/rules/presentation.hpp"
-#include "gui/rules/tones.hpp"
+#include "gui/picture/patient_picture.hpp"
+#include "gui/picture/presentation.hpp"
+#include "gui/picture/tones.hpp"
 
 namespace isograsp::gui {
 

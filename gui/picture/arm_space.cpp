@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gui/rules/arm_space.hpp"
+#include "gui/picture/arm_space.hpp"
 
 #include <algorithm>
 #include <cmath>

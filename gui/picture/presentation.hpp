@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "gui/rules/target_preview.hpp"
+#include "gui/picture/target_preview.hpp"
 #include "storage/records/profile.hpp"
 
 namespace isograsp::gui {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gui/rules/hand_picture.hpp"
+#include "gui/picture/hand_picture.hpp"
 
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
-#include "gui/rules/patient_picture.hpp"
+#include "gui/picture/patient_picture.hpp"
 #include "gui/words/texts.hpp"
 #include "session/tracked_hand/hand_sight.hpp"
 #include "virtual_hand/study_plan.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gui/rules/arm_picture.hpp"
+#include "gui/picture/arm_picture.hpp"
 
 #include <QCoreApplication>
 

@@ -12,7 +12,6 @@ namespace isograsp::gui {
 
 class PracticeClock {
  public:
-  static constexpr double kFirstVisit_s = 15.0 * 60.0;
   static constexpr double kBout_s = 3.0 * 60.0;
   static constexpr double kSameTime = 0.1;  ///< of the longer of two movements
   static constexpr int kMostMovements = 4;  ///< on later visits

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gui/rules/presentation.hpp"
+#include "gui/picture/presentation.hpp"
 
 #include <QCoreApplication>
 #include <QStringList>

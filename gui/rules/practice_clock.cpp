@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gui/presenter/practice_clock.hpp"
+#include "gui/rules/practice_clock.hpp"
 
 #include <algorithm>
 #include <cmath>

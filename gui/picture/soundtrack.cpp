@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gui/rules/soundtrack.hpp"
+#include "gui/picture/soundtrack.hpp"
 
 #include <cmath>
 #include <utility>

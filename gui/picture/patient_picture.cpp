@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gui/rules/patient_picture.hpp"
+#include "gui/picture/patient_picture.hpp"
 
 #include <QCoreApplication>
 #include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 
-#include "gui/rules/arm_picture.hpp"
-#include "gui/rules/hand_picture.hpp"
+#include "gui/picture/arm_picture.hpp"
+#include "gui/picture/hand_picture.hpp"
 #include "gui/words/cue_words.hpp"
 #include "gui/words/texts.hpp"
 
@@ -249,6 +249,12 @@ void add_trial(const PatientFacts& facts, PatientPicture& picture) {
     picture.gain_deg_per_N = gain_of(picture.axis, facts.viewing);
 }
 
+/// What is measured may rest.
+QString relax_words(const PatientFacts& facts) {
+  return facts.arm != nullptr ? PictureTexts::tr("Relax your arm.")
+                              : PictureTexts::tr("Relax your hand.");
+}
+
 void add_idle(const PatientFacts& facts, PatientPicture& picture) {
   if (!facts.session_open || !facts.arrived)
     return say(picture, Sign::wait, PictureTexts::tr("Welcome"),
@@ -263,16 +269,16 @@ void add_idle(const PatientFacts& facts, PatientPicture& picture) {
                PictureTexts::tr("The device measures itself."));
   if (facts.just_completed && facts.just_missed) {
     picture.missed = true;
-    return say(picture, Sign::rest, PictureTexts::tr("Good try"),
-               PictureTexts::tr("Relax your hand."));
+    return say(picture, Sign::rest, PictureTexts::tr("Good try"), relax_words(facts));
   }
   if (facts.just_completed)
-    return say(picture, Sign::good, PictureTexts::tr("Well done"),
-               PictureTexts::tr("Relax your hand."));
+    return say(picture, Sign::good, PictureTexts::tr("Well done"), relax_words(facts));
   if (facts.stimulus.cue == Cue::hand_out)
     return say(picture, Sign::hand_out,
                PictureTexts::tr("Please take your hand out of the device"));
-  say(picture, Sign::wait, PictureTexts::tr("Relax your hand"),
+  say(picture, Sign::wait,
+      facts.arm != nullptr ? PictureTexts::tr("Relax your arm")
+                           : PictureTexts::tr("Relax your hand"),
       PictureTexts::tr("The next task will begin in a moment."));
   if (facts.tracked) add_hand_between(facts, picture);
 }
@@ -292,7 +298,9 @@ void add_notice(const PatientFacts& facts, PatientPicture& picture) {
   } else if (paused && !((facts.arm != nullptr || facts.tracked) &&
                          session::goes_on_by_itself(facts.pause_cause))) {
     picture.notice = Notice::pause;
-    picture.notice_words = PictureTexts::tr("Pause. Relax your hand.").toStdString();
+    picture.notice_words = (facts.arm != nullptr ? PictureTexts::tr("Pause. Relax your arm.")
+                                                 : PictureTexts::tr("Pause. Relax your hand."))
+                               .toStdString();
   }
 }
 

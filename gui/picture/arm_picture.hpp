@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inside gui/rules/ only: the patient's picture of a trial with an arm seen by cameras.
+// Inside gui/picture/ only: the patient's picture of a trial with an arm seen by cameras.
 #pragma once
 
-#include "gui/rules/patient_picture.hpp"
+#include "gui/picture/patient_picture.hpp"
 
 namespace isograsp::gui {
 

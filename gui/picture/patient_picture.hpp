@@ -10,10 +10,10 @@
 #include <string>
 
 #include "grasp_model/scene.hpp"
-#include "gui/rules/arm_space.hpp"
-#include "gui/rules/hand_picture.hpp"
-#include "gui/rules/presentation.hpp"
-#include "gui/rules/target_preview.hpp"
+#include "gui/picture/arm_space.hpp"
+#include "gui/picture/hand_picture.hpp"
+#include "gui/picture/presentation.hpp"
+#include "gui/picture/target_preview.hpp"
 #include "hand/stimulus.hpp"
 #include "session/acquisition/moment.hpp"
 

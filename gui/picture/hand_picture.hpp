@@ -73,7 +73,7 @@ inline constexpr double kMostOpacity = 0.45;
 /// "Help: full" and the like, as it stands on the patient's screen.
 [[nodiscard]] std::string help_words(virtual_hand::AssistanceLevel level);
 
-/// Inside gui/rules/ only. @pre facts.tracked
+/// Inside gui/picture/ only. @pre facts.tracked
 /// Hand, object and words of a trial. @pre facts.task
 void add_hand_trial(const PatientFacts& facts, PatientPicture& picture);
 /// Of an entry test, or of a hand that has nothing to do: words that are there already stay.

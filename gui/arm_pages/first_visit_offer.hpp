@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a person and a kind of device meet for the first time: the protocol that makes familiar
+// with it, if there is one, before anything is connected. Nobody has to take it.
+#pragma once
+
+#include <QFrame>
+#include <QLabel>
+#include <QPushButton>
+
+#include "gui/presenter/session_presenter.hpp"
+
+namespace isograsp::gui {
+
+class FirstVisitOffer final : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit FirstVisitOffer(SessionPresenter& presenter, QWidget* parent = nullptr);
+
+ private:
+  void refresh();
+
+  SessionPresenter& presenter_;
+  QLabel* words_;
+  QPushButton* take_;
+};
+
+}  // namespace isograsp::gui

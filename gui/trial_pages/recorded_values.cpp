@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/trial_pages/recorded_values.hpp"
+
+namespace isograsp::gui {
+
+PosePlaces find_pose(const Signals& signals, const columns::OfAxes& position,
+                     const columns::OfComponents& attitude) {
+  PosePlaces places;
+  for (std::size_t i = 0; i < position.size(); ++i) places.position[i] = signals.find(position[i]);
+  for (std::size_t i = 0; i < attitude.size(); ++i) places.attitude[i] = signals.find(attitude[i]);
+  return places;
+}
+
+double value_at(const Signals& signals, Place column, std::size_t row) {
+  return column ? signals.column(*column)[row] : kMissing;
+}
+
+Vec3 vector_at(const Signals& signals, const std::array<Place, 3>& places, std::size_t row) {
+  return {value_at(signals, places[0], row), value_at(signals, places[1], row),
+          value_at(signals, places[2], row)};
+}
+
+Pose pose_at(const Signals& signals, const PosePlaces& places, std::size_t row) {
+  const Vec3 p = vector_at(signals, places.position, row);
+  Eigen::Vector4d q;
+  for (std::size_t i = 0; i < places.attitude.size(); ++i)
+    q[static_cast<Eigen::Index>(i)] = value_at(signals, places.attitude[i], row);
+  if (!p.allFinite() || !q.allFinite() || !(q.norm() > 0.0)) return missing_pose();
+  return {p, Quat(q[0], q[1], q[2], q[3]).normalized()};
+}
+
+}  // namespace isograsp::gui

@@ -9,6 +9,7 @@
 #include "session/arm/marker_arm.hpp"
 #include "session/arm/start_posture.hpp"
 #include "session/open_arm.hpp"
+#include "session/open_hand.hpp"
 #include "session/platform/force_platform.hpp"
 #include "session/platform/prepare_trial.hpp"
 #include "session/simulated_person.hpp"
@@ -54,8 +55,8 @@ bool go_on(Acquisition& acquisition) {
 /// demonstration has no reason for one that a patient could see.
 template <class Frame>
 void keep_trial(Acquisition& acquisition, Latest<Frame>& snapshots, double period_s,
-                std::vector<Frame>& frames) {
-  const auto most = static_cast<std::size_t>(kLongestDemonstration_s / period_s);
+                double longest_s, std::vector<Frame>& frames) {
+  const auto most = static_cast<std::size_t>(longest_s / period_s);
   bool begun = false;
   for (std::size_t k = 0; k < most && go_on(acquisition); ++k) {
     const Frame& now = snapshots.read();
@@ -63,6 +64,16 @@ void keep_trial(Acquisition& acquisition, Latest<Frame>& snapshots, double perio
     if (begun && now.stage != Stage::trial && now.stage != Stage::paused) break;
     if (now.stage == Stage::trial) frames.push_back(now);
   }
+}
+
+/// Does what stands before a trial; false: it was not done in that time.
+template <class Frame>
+bool prepared(Acquisition& acquisition, Preparation& preparation, Latest<Frame>& snapshots,
+              double longest_s) {
+  (void)acquisition.commands().push({.kind = Command::Kind::prepare, .preparation = &preparation});
+  while (!snapshots.read().zeroed)
+    if (snapshots.read().session_time_s > longest_s || !go_on(acquisition)) return false;
+  return true;
 }
 
 Demonstration begun_with(const tasks::TaskSpec& spec, double period_s) {
@@ -99,7 +110,8 @@ Result<Demonstration> by_hand(const tasks::TaskSpec& spec, const DemonstrationFo
   const auto setup = prepare_trial(spec, shown.context, *scene);
   if (!setup) return setup.error();
   (void)acquisition.commands().push({.kind = Command::Kind::begin, .setup = setup->get()});
-  keep_trial(acquisition, platform.snapshots(), shown.period_s, shown.frames);
+  keep_trial(acquisition, platform.snapshots(), shown.period_s, kLongestDemonstration_s,
+             shown.frames);
   platform.stop();
   return shown;
 }
@@ -121,18 +133,42 @@ Result<Demonstration> by_arm(const tasks::TaskSpec& spec, const DemonstrationFor
   shown.context.ranges = whom.ranges;
   const auto posture = apparatus.make_preparation({});
   if (!posture) return posture.error();
-  (void)acquisition.commands().push(
-      {.kind = Command::Kind::prepare, .preparation = posture->get()});
-  const StartPostureLimits limits;
-  for (double waited_s = 0.0; !arm.snapshots().read().zeroed; waited_s += shown.period_s)
-    if (waited_s > 2.0 * limits.longest_s || !go_on(acquisition))
-      return failed("the simulated arm was not seen in its start posture"_text,
-                    "use the rigs of the library as they are shipped"_text);
+  if (!prepared(acquisition, **posture, arm.snapshots(), 2.0 * StartPostureLimits().longest_s))
+    return failed("the simulated arm was not seen in its start posture"_text,
+                  "use the rigs of the library as they are shipped"_text);
   const auto setup = apparatus.make_trial(spec, shown.context);
   if (!setup) return setup.error();
   (void)acquisition.commands().push({.kind = Command::Kind::begin, .setup = setup->get()});
-  keep_trial(acquisition, arm.snapshots(), shown.period_s, shown.arm_frames);
+  keep_trial(acquisition, arm.snapshots(), shown.period_s, kLongestDemonstration_s,
+             shown.arm_frames);
   arm.stop();
+  return shown;
+}
+
+Result<Demonstration> by_tracked_hand(const tasks::TaskSpec& spec, const DemonstrationFor& whom,
+                                      const std::string& library) {
+  const auto uri = Uri::parse("sim://hand?user=healthy&seed=1");
+  if (!uri) return uri.error();
+  const auto opened = open_hand({*uri, whom.hand, library, std::nullopt});
+  if (!opened) return opened.error();
+  Apparatus& apparatus = **opened;
+  auto& hand = dynamic_cast<TrackedHand&>(apparatus);  // what open_hand() opens
+  ManualClock clock;
+  if (auto started = hand.start(clock); !started) return started.error();
+  Acquisition acquisition(hand, clock);
+
+  Demonstration shown = begun_with(spec, hand.info().period_s);
+  const auto entry = apparatus.make_preparation({});
+  if (!entry) return entry.error();
+  constexpr double kLongestEntry_s = 60.0;
+  if (!prepared(acquisition, **entry, hand.snapshots(), kLongestEntry_s))
+    return failed("the simulated hand did not pass the entry test"_text,
+                  "use the hands of the library as they are shipped"_text);
+  const auto setup = apparatus.make_trial(spec, shown.context);
+  if (!setup) return setup.error();
+  (void)acquisition.commands().push({.kind = Command::Kind::begin, .setup = setup->get()});
+  keep_trial(acquisition, hand.snapshots(), shown.period_s, kLongestOfHand_s, shown.hand_frames);
+  hand.stop();
   return shown;
 }
 
@@ -142,8 +178,6 @@ Text why_not_shown(const tasks::TaskSpec& spec) {
   // Markers alone are looked at: of what is done with them nothing is on the screen.
   if (spec.kind->markers != nullptr)
     return "It is done with a real thing, of which the screen shows nothing: show it yourself."_text;
-  if (spec.apparatus() == TrackedHand::kKind)
-    return "It is done before a tracker: show it with your own hand."_text;
   return {};
 }
 
@@ -151,8 +185,9 @@ Result<Demonstration> demonstrate(const tasks::TaskSpec& spec, const Demonstrati
                                   const std::string& library) {
   if (const Text why = why_not_shown(spec); !why.empty())
     return refused("cannot be shown on a screen"_text, why).at(spec.file);
-  return spec.apparatus() == MarkerArm::kKind ? by_arm(spec, whom, library)
-                                              : by_hand(spec, whom, library);
+  if (spec.apparatus() == MarkerArm::kKind) return by_arm(spec, whom, library);
+  if (spec.apparatus() == TrackedHand::kKind) return by_tracked_hand(spec, whom, library);
+  return by_hand(spec, whom, library);
 }
 
 }  // namespace isograsp::session

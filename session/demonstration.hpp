@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How a task is done, for the patient to watch: a healthy simulated person does it through the same
-// closed loop as a trial, with the hand on the platform or with an arm before cameras. Nothing is
-// stored, and no device is needed.
+// closed loop as a trial, with the hand on the platform, with an arm before cameras or with a hand
+// before a tracker. Nothing is stored, and no device is needed.
 #pragma once
 
 #include <memory>
@@ -12,6 +12,7 @@
 #include "core/result.hpp"
 #include "session/arm/arm_snapshot.hpp"
 #include "session/platform/snapshot.hpp"
+#include "session/tracked_hand/hand_snapshot.hpp"
 #include "tasks/task.hpp"
 
 namespace isograsp::session {
@@ -21,12 +22,16 @@ struct Demonstration {
   tasks::TaskContext context;          ///< the task was made with
   std::shared_ptr<const Scene> scene;  ///< as the hand met it; null: a force task
   double period_s = 0.0;               ///< between frames
-  /// From the beginning of the trial on: of the platform, or of an arm; the other one is empty.
+  /// From the beginning of the trial on: of the platform, of an arm or of a tracked hand; the
+  /// others are empty.
   std::vector<Snapshot> frames;
   std::vector<ArmSnapshot> arm_frames;
+  std::vector<HandSnapshot> hand_frames;
   std::optional<ArmSetup> arm;  ///< of an arm: what is fixed of it
 
-  [[nodiscard]] std::size_t size() const noexcept { return frames.size() + arm_frames.size(); }
+  [[nodiscard]] std::size_t size() const noexcept {
+    return frames.size() + arm_frames.size() + hand_frames.size();
+  }
 };
 
 /// Why a task cannot be shown on a screen, with what to do; empty: it can.
@@ -34,6 +39,8 @@ struct Demonstration {
 
 /// Longest part that is shown [s]; tasks repeat themselves.
 inline constexpr double kLongestDemonstration_s = 30.0;
+/// Of a tracked hand, whose world takes longer to compute: a few placements.
+inline constexpr double kLongestOfHand_s = 20.0;
 
 /// What is known of the patient who watches, so that targets look like their own.
 struct DemonstrationFor {
@@ -45,7 +52,7 @@ struct DemonstrationFor {
 };
 
 /// What the screening or the sensors would refuse is shown nevertheless. Of an arm targets are
-/// those of the arm that shows it. Takes a fraction of a second. Any thread.
+/// those of the arm that shows it. Takes a fraction of a second, of a tracked hand two. Any thread.
 [[nodiscard]] Result<Demonstration> demonstrate(const tasks::TaskSpec& spec,
                                                 const DemonstrationFor& whom,
                                                 const std::string& library);

@@ -49,7 +49,9 @@ void ExamplePlayer::tick() {
 
 PatientFacts ExamplePlayer::facts() const {
   PatientFacts facts = arm_space_ != nullptr ? patient_facts(example_->arm_frames[frame_])
-                                             : patient_facts(example_->frames[frame_]);
+                       : !example_->hand_frames.empty()
+                           ? patient_facts(example_->hand_frames[frame_])
+                           : patient_facts(example_->frames[frame_]);
   facts.arm = arm_space_;
   facts.session_open = true;
   facts.example = true;

@@ -232,6 +232,30 @@ std::string hand_that_opens_little(const TemporaryFolder& folder) {
   return path;
 }
 
+TEST_F(HandInWindows, ThePatientWatchesAHealthyHandDoTheTaskWithoutATrackerAndNothingIsStored) {
+  operator_.prepare_person("hand_left");
+  operator_.choose_device(kHandUri);
+  windows_.presenter().choices().choose_protocol(std::nullopt);
+  const auto picture = [&] { return windows_.presenter().patient_view().picture(0.3); };
+  for (const char* kind : {"hand_opening", "virtual_pick_place"}) {
+    operator_.choose_task(kind);
+    operator_.press("show_how");
+    ASSERT_TRUE(wait_until([&] {
+      return picture().example && picture().page == PatientPicture::Page::hand;
+    })) << kind
+        << ": " << label("message").toStdString();
+    EXPECT_EQ(picture().detail, "Watch how it is done") << kind;
+    EXPECT_FALSE(picture().simulated) << "it is marked as a demonstration, as nothing else";
+    EXPECT_TRUE(picture().tracked_hand->hand.has_value()) << kind;
+    operator_.press("show_how");
+    EXPECT_FALSE(picture().example);
+  }
+  EXPECT_FALSE(state().session_open());
+  const auto store =
+      must(storage::open_store(folder_.path("clinic.db"), storage::OpenMode::read_only));
+  EXPECT_TRUE(must(store->recent_sessions(1)).empty());
+}
+
 TEST_F(HandInWindows, AHandThatOpensTooLittleIsToldWhichTasksAreForItAndMayStillBeMeasured) {
   operator_.prepare_person();
   windows_.presenter().choices().choose_device("replay://" + hand_that_opens_little(folder_));

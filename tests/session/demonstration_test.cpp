@@ -113,6 +113,25 @@ TEST(Demonstration, ATaskWithinTheOwnRangeIsShownWithThePatientsRangeAndNotBefor
   EXPECT_LT(farthest_rad(0.4), farthest_rad(0.8));
 }
 
+TEST(Demonstration, OfEveryTaskOfATrackedHandIsDoneByAHealthyHand) {
+  for (const Hand hand : {Hand::right, Hand::left})
+    for (const char* name : {"hand_opening", "virtual_place", "virtual_place_first"}) {
+      const tasks::TaskSpec spec = task(name);
+      EXPECT_TRUE(why_not_shown(spec).empty()) << name;
+      const auto shown = demonstrate(spec, {.hand = hand}, kLibrary);
+      ASSERT_TRUE(shown.ok()) << name << ": " << shown.error().message();
+      EXPECT_TRUE(shown->frames.empty() && shown->arm_frames.empty()) << name;
+      const double lasts_s = static_cast<double>(shown->size()) * shown->period_s;
+      EXPECT_GT(lasts_s, 5.0) << name;
+      EXPECT_LE(lasts_s, kLongestOfHand_s) << name;
+      for (const HandSnapshot& frame : test::every(shown->hand_frames))
+        ASSERT_EQ(frame.stage, Stage::trial) << name << ": a pause is no part of it";
+      const HandSnapshot& last = shown->hand_frames.back();
+      EXPECT_TRUE(last.seen_hand.has_value()) << name;
+      EXPECT_GE(last.task.targets_reached, 1) << name << ": what is asked is seen done";
+    }
+}
+
 TEST(Demonstration, OfAThingThatNoScreenShowsThereIsNone) {
   const auto drinking = task("arm_drinking");
   EXPECT_FALSE(why_not_shown(drinking).empty());

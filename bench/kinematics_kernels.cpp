@@ -131,6 +131,7 @@ BENCHMARK_CAPTURE(eigen_umeyama, noise_500_um, 5e-4, 0.0);
 BENCHMARK_CAPTURE(eigen_umeyama, noise_2000_um, 2e-3, 0.0);
 BENCHMARK_CAPTURE(eigen_umeyama, noise_2000_um_one_astray, 2e-3, 0.03);
 
+/// In millimetres: below some 1e-6 of a squared unit its quaternion counts as none.
 void gemmi_qcp(benchmark::State& bench, double noise_m, double astray_m) {
   using Points = std::array<gemmi::Position, 6>;
   beside(
@@ -138,7 +139,7 @@ void gemmi_qcp(benchmark::State& bench, double noise_m, double astray_m) {
       [](const std::vector<Vec3>& p) {
         Points points;
         for (std::size_t k = 0; k < 6; ++k)
-          points[k] = gemmi::Position(p[k].x(), p[k].y(), p[k].z());
+          points[k] = gemmi::Position(1e3 * p[k].x(), 1e3 * p[k].y(), 1e3 * p[k].z());
         return points;
       },
       [](const Points& body, const Points& row) {
@@ -146,7 +147,7 @@ void gemmi_qcp(benchmark::State& bench, double noise_m, double astray_m) {
         Mat3 R;
         for (int i = 0; i < 3; ++i)
           for (int j = 0; j < 3; ++j) R(i, j) = X.mat[i][j];
-        return Pose{{X.vec.x, X.vec.y, X.vec.z}, Quat(R)};
+        return Pose{{1e-3 * X.vec.x, 1e-3 * X.vec.y, 1e-3 * X.vec.z}, Quat(R)};
       });
 }
 BENCHMARK_CAPTURE(gemmi_qcp, noise_100_um, 1e-4, 0.0);

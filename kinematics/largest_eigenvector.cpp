@@ -64,17 +64,29 @@ Vec4 adjugate_column(const Mat4& a, double x) noexcept {
   const double u12 = upper(1, 2), u13 = upper(1, 3), u23 = upper(2, 3);
   const double l01 = lower(0, 1), l02 = lower(0, 2), l03 = lower(0, 3);
   const double l12 = lower(1, 2), l13 = lower(1, 3), l23 = lower(2, 3);
-  Mat4 adjugate;
-  adjugate << m(1, 1) * l23 - m(1, 2) * l13 + m(1, 3) * l12,
-      -m(0, 1) * l23 + m(0, 2) * l13 - m(0, 3) * l12, m(3, 1) * u23 - m(3, 2) * u13 + m(3, 3) * u12,
-      -m(2, 1) * u23 + m(2, 2) * u13 - m(2, 3) * u12,
-      -m(1, 0) * l23 + m(1, 2) * l03 - m(1, 3) * l02, m(0, 0) * l23 - m(0, 2) * l03 + m(0, 3) * l02,
-      -m(3, 0) * u23 + m(3, 2) * u03 - m(3, 3) * u02, m(2, 0) * u23 - m(2, 2) * u03 + m(2, 3) * u02,
-      m(1, 0) * l13 - m(1, 1) * l03 + m(1, 3) * l01, -m(0, 0) * l13 + m(0, 1) * l03 - m(0, 3) * l01,
-      m(3, 0) * u13 - m(3, 1) * u03 + m(3, 3) * u01, -m(2, 0) * u13 + m(2, 1) * u03 - m(2, 3) * u01,
-      -m(1, 0) * l12 + m(1, 1) * l02 - m(1, 2) * l01, m(0, 0) * l12 - m(0, 1) * l02 + m(0, 2) * l01,
-      -m(3, 0) * u12 + m(3, 1) * u02 - m(3, 2) * u01, m(2, 0) * u12 - m(2, 1) * u02 + m(2, 2) * u01;
-  return longest_column(adjugate);
+  const Vec4 diagonal(
+      m(1, 1) * l23 - m(1, 2) * l13 + m(1, 3) * l12, m(0, 0) * l23 - m(0, 2) * l03 + m(0, 3) * l02,
+      m(3, 0) * u13 - m(3, 1) * u03 + m(3, 3) * u01, m(2, 0) * u12 - m(2, 1) * u02 + m(2, 2) * u01);
+  Eigen::Index longest = 0;
+  diagonal.cwiseAbs().maxCoeff(&longest);
+  switch (longest) {
+    case 0:
+      return {diagonal[0], -m(1, 0) * l23 + m(1, 2) * l03 - m(1, 3) * l02,
+              m(1, 0) * l13 - m(1, 1) * l03 + m(1, 3) * l01,
+              -m(1, 0) * l12 + m(1, 1) * l02 - m(1, 2) * l01};
+    case 1:
+      return {-m(0, 1) * l23 + m(0, 2) * l13 - m(0, 3) * l12, diagonal[1],
+              -m(0, 0) * l13 + m(0, 1) * l03 - m(0, 3) * l01,
+              m(0, 0) * l12 - m(0, 1) * l02 + m(0, 2) * l01};
+    case 2:
+      return {m(3, 1) * u23 - m(3, 2) * u13 + m(3, 3) * u12,
+              -m(3, 0) * u23 + m(3, 2) * u03 - m(3, 3) * u02, diagonal[2],
+              -m(3, 0) * u12 + m(3, 1) * u02 - m(3, 2) * u01};
+    default:
+      return {-m(2, 1) * u23 + m(2, 2) * u13 - m(2, 3) * u12,
+              m(2, 0) * u23 - m(2, 2) * u03 + m(2, 3) * u02,
+              -m(2, 0) * u13 + m(2, 1) * u03 - m(2, 3) * u01, diagonal[3]};
+  }
 }
 
 }  // namespace

@@ -95,6 +95,10 @@ Fitted fit_chosen(std::span<const Vec3> template_m, std::span<const Vec3> p_W,
 RigidBody::RigidBody(std::vector<Vec3> template_m, double max_residual_m)
     : template_m_(std::move(template_m)), max_residual_m_(max_residual_m) {
   assert(template_m_.size() <= kMostMarkers);
+  Chosen all;
+  for (std::size_t k = 0; k < template_m_.size(); ++k)
+    all.index[static_cast<std::size_t>(all.count++)] = static_cast<std::uint8_t>(k);
+  all_on_a_line_ = on_a_line(template_m_, all);
 }
 
 BodyFit RigidBody::fit(std::span<const Vec3> p_W) const noexcept {
@@ -107,7 +111,8 @@ BodyFit RigidBody::fit(std::span<const Vec3> p_W) const noexcept {
   result.used = seen.count;
   if (seen.count < 3) return result;
   result.state = FrameState::collinear;
-  if (on_a_line(template_m_, seen)) return result;
+  const bool whole = static_cast<std::size_t>(seen.count) == template_m_.size();
+  if (whole ? all_on_a_line_ : on_a_line(template_m_, seen)) return result;
   const Fitted all = fit_chosen(template_m_, p_W, seen);
   result.residual_m = all.rms_m;
   result.state = FrameState::residual;

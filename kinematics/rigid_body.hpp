@@ -50,6 +50,7 @@ class RigidBody {
  private:
   std::vector<Vec3> template_m_;
   double max_residual_m_;
+  bool all_on_a_line_ = false;  ///< the points of the whole body: nearly always all are seen
 };
 
 }  // namespace isograsp

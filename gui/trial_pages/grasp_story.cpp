@@ -33,12 +33,7 @@ struct GraspRows {
       pull[d] = of.find(columns::pull_N[d]);
     }
     limit = of.find(columns::release_pull_N);
-    digits = of.find(columns::grasp_digits);
-    feasible = of.find(columns::grasp_feasible);
-    const std::array<const Column*, 6> kCriteria{
-        &columns::grasp_G_min,       &columns::grasp_H_min,       &columns::grasp_H_det,
-        &columns::grasp_G_min_limit, &columns::grasp_H_min_limit, &columns::grasp_H_det_limit};
-    for (std::size_t k = 0; k < criteria.size(); ++k) criteria[k] = of.find(*kCriteria[k]);
+    choice = find_choice(of);
     placement = of.find(columns::placement);
     fails = of.find(columns::placement_fails);
     helped = of.find(columns::object_helped);
@@ -51,23 +46,11 @@ struct GraspRows {
     const double before = value_at(signals, column, row >= 2 ? row - 2 : 0);
     return value_at(signals, column, row) > before;
   }
-  [[nodiscard]] GraspChoice choice(std::size_t row) const {
-    GraspChoice choice;
-    const double set = value_at(signals, digits, row);
-    if (!(set > 0.0)) return choice;
-    choice.digits = static_cast<DigitSet>(set);
-    choice.feasible = value_at(signals, feasible, row) > 0.0;
-    const std::array<double*, 6> into{&choice.G_min,       &choice.H_min,
-                                      &choice.H_det,       &choice.G_min_limit,
-                                      &choice.H_min_limit, &choice.H_det_limit};
-    for (std::size_t k = 0; k < into.size(); ++k) *into[k] = value_at(signals, criteria[k], row);
-    return choice;
-  }
 
   const Signals& signals;
   std::array<Place, kDigitCount> state, pull;
-  std::array<Place, 6> criteria;
-  Place limit, digits, feasible, placement, fails, helped;
+  Place limit, placement, fails, helped;
+  ChoicePlaces choice;
 };
 
 /// Why a digit is tied no more from this row on.
@@ -125,7 +108,7 @@ std::vector<GraspEvent> grasp_story(const Signals& signals) {
         event.pull_N = value_at(signals, rows.pull[digit], row);
         event.limit_N = value_at(signals, rows.limit, row);
       } else if (what == What::tied) {
-        event.grasp = rows.choice(row - 1);  // it is tied by what stood before
+        event.grasp = choice_at(signals, rows.choice, row - 1);  // it is tied by what stood before
       }
       story.push_back(event);
     };

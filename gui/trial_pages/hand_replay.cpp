@@ -75,11 +75,8 @@ void HandReplay::find(const Signals& signals) {
   }
   object_ = find_pose(signals, columns::actual_position, columns::actual_attitude);
   target_ = find_pose(signals, columns::target_position, columns::target_attitude);
-  const std::array<const Column*, 6> kCriteria{
-      &columns::grasp_G_min,       &columns::grasp_H_min,       &columns::grasp_H_det,
-      &columns::grasp_G_min_limit, &columns::grasp_H_min_limit, &columns::grasp_H_det_limit};
-  for (std::size_t k = 0; k < criteria_.size(); ++k) criteria_[k] = signals.find(*kCriteria[k]);
-  const std::array<std::pair<Place*, const Column*>, 16> kOthers{
+  choice_ = find_choice(signals);
+  const std::array<std::pair<Place*, const Column*>, 14> kOthers{
       {{&pause_cause_, &columns::pause_cause},
        {&unseen_s_, &columns::unseen_s},
        {&gap_m_, &columns::thumb_index_gap_m},
@@ -93,8 +90,6 @@ void HandReplay::find(const Signals& signals) {
        {&held_, &columns::object_held},
        {&supported_, &columns::object_supported},
        {&release_N_, &columns::release_pull_N},
-       {&set_, &columns::grasp_digits},
-       {&feasible_, &columns::grasp_feasible},
        {&tracked_gap_m_, &columns::tracked_gap_m}}};
   for (const auto& [place, column] : kOthers) *place = signals.find(*column);
 }
@@ -149,14 +144,7 @@ hand_world::GraspState HandReplay::grasp_at(const Signals& signals, std::size_t 
   }
   grasp.supported = is_said(signals, supported_, row);
   grasp.held = is_said(signals, held_, row);
-  constexpr int kSets = 1 << kDigitCount;
-  grasp.choice.digits =
-      static_cast<virtual_hand::DigitSet>(std::max(0, number_at(signals, set_, row, kSets - 1)));
-  grasp.choice.feasible = is_said(signals, feasible_, row);
-  virtual_hand::GraspChoice& choice = grasp.choice;
-  const std::array<double*, 6> into{&choice.G_min,       &choice.H_min,       &choice.H_det,
-                                    &choice.G_min_limit, &choice.H_min_limit, &choice.H_det_limit};
-  for (std::size_t k = 0; k < into.size(); ++k) *into[k] = value_at(signals, criteria_[k], row);
+  grasp.choice = choice_at(signals, choice_, row);
   grasp.tracked_gap_m = value_at(signals, tracked_gap_m_, row);
   return grasp;
 }

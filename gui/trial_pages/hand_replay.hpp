@@ -58,9 +58,9 @@ class HandReplay {
   HandPlaces seen_, virtual_;
   PosePlaces object_, target_;
   std::array<DigitPlaces, kDigitCount> digits_;
-  std::array<Place, 6> criteria_;  ///< G_min, H_min, H_det and their limits
+  ChoicePlaces choice_;
   Place pause_cause_, unseen_s_, gap_m_, placement_, study_object_, assistance_, eased_, fails_,
-      let_go_asked_, helped_, held_, supported_, release_N_, set_, feasible_, tracked_gap_m_;
+      let_go_asked_, helped_, held_, supported_, release_N_, tracked_gap_m_;
 };
 
 }  // namespace isograsp::gui

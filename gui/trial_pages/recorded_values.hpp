@@ -10,6 +10,7 @@
 #include "core/spatial.hpp"
 #include "hand/columns.hpp"
 #include "kinematics/attitude.hpp"
+#include "virtual_hand/grasp_criteria.hpp"
 
 namespace isograsp::gui {
 
@@ -28,5 +29,14 @@ struct PosePlaces {
                              std::size_t row);
 /// missing_pose() unless all of it is there.
 [[nodiscard]] Pose pose_at(const Signals& signals, const PosePlaces& places, std::size_t row);
+
+/// The best set of the digits of a tracked hand that touch, its criteria and their limits.
+struct ChoicePlaces {
+  Place digits, feasible;
+  std::array<Place, 6> criteria;  ///< G_min, H_min, H_det; their limits
+};
+[[nodiscard]] ChoicePlaces find_choice(const Signals& signals);
+[[nodiscard]] virtual_hand::GraspChoice choice_at(const Signals& signals,
+                                                  const ChoicePlaces& places, std::size_t row);
 
 }  // namespace isograsp::gui

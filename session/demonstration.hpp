@@ -52,7 +52,8 @@ struct DemonstrationFor {
 };
 
 /// What the screening or the sensors would refuse is shown nevertheless. Of an arm targets are
-/// those of the arm that shows it. Takes a fraction of a second, of a tracked hand two. Any thread.
+/// those of the arm that shows it. Takes a fraction of a second, of a tracked hand about one. Any
+/// thread.
 [[nodiscard]] Result<Demonstration> demonstrate(const tasks::TaskSpec& spec,
                                                 const DemonstrationFor& whom,
                                                 const std::string& library);

@@ -70,9 +70,11 @@ class SlopeAlong {
     for (Eigen::Index axis = 0; axis < 3; ++axis)
       for (const double face : {-half_[axis], half_[axis]}) {
         const double t = (face - a_[axis]) / d_[axis];
-        if (t > 0.0 && t < 1.0) at[count++] = t;
+        if (!(t > 0.0 && t < 1.0)) continue;
+        std::size_t place = count++;
+        for (; place > 0 && at[place - 1] > t; --place) at[place] = at[place - 1];
+        at[place] = t;
       }
-    std::sort(at.begin(), at.begin() + static_cast<std::ptrdiff_t>(count));
     return count;
   }
 

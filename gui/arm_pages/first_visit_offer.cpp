@@ -36,9 +36,9 @@ FirstVisitOffer::FirstVisitOffer(SessionPresenter& presenter, QWidget* parent)
 void FirstVisitOffer::refresh() {
   const SessionState& state = presenter_.state();
   const auto offered = first_visit_protocol(state.library.protocols);
-  const bool open = presenter_.flow().view().may_change_hand;
-  show_part(*this,
-            open && state.choices.first_time && offered && offered != state.choices.protocol);
+  const bool new_here = state.measures_arm() && state.choices.first_time;
+  show_part(*this, new_here && presenter_.flow().view().may_change_hand && offered &&
+                       offered != state.choices.protocol);
   if (!offered) return;
   constexpr double kMinute_s = 60.0;
   words_->setText(

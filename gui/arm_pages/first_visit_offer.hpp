@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a person and a kind of device meet for the first time: the protocol that makes familiar
-// with it, if there is one, before anything is connected. Nobody has to take it.
+// Where an arm meets the cameras for the first time: the protocol that makes it familiar with its
+// tasks, if the library has one, before anything is connected. Nobody has to take it.
 #pragma once
 
 #include <QFrame>

@@ -31,7 +31,8 @@ QString criterion_title(std::size_t which) {
 
 }  // namespace
 
-GraspView::GraspView(const QString& prefix, QWidget* parent) : QWidget(parent) {
+GraspView::GraspView(const QString& prefix, Form form, QWidget* parent)
+    : QWidget(parent), form_(form) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addLayout(make_digits(prefix));
@@ -60,26 +61,33 @@ QLayout* GraspView::make_digits(const QString& prefix) {
     DigitRow& row = digits_[d];
     row.state = new QLabel;
     row.state->setObjectName(prefix + QStringLiteral("digit_state_%1").arg(d));
-    row.pull = new QProgressBar;
-    row.pull->setObjectName(prefix + QStringLiteral("digit_pull_%1").arg(d));
-    row.pull->setRange(0, 100);
-    row.pull->setTextVisible(false);
-    describe(*row.pull, tr("%1: pull").arg(title),
-             tr("%1: how hard it pulls away, as a share of the pull at which its tie lets go")
-                 .arg(title));
+    if (form_ == Form::wide)
+      row.pull = make_pull(prefix + QStringLiteral("digit_pull_%1").arg(d), title);
     row.pull_words = new QLabel;
     row.pull_words->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     grid->addWidget(new QLabel(title), at, 0);
     grid->addWidget(row.state, at, 1);
-    grid->addWidget(row.pull, at, 2);
+    if (row.pull != nullptr) grid->addWidget(row.pull, at, 2);
     grid->addWidget(row.pull_words, at, 3);
   }
   // Words that come and go move nothing.
+  if (form_ == Form::narrow) return grid;
   constexpr int kState_px = 90;
   constexpr int kPull_px = 120;
   grid->setColumnMinimumWidth(1, scaled(kState_px));
   grid->setColumnMinimumWidth(3, scaled(kPull_px));
   return grid;
+}
+
+QProgressBar* GraspView::make_pull(const QString& name, const QString& digit) {
+  auto* pull = new QProgressBar;
+  pull->setObjectName(name);
+  pull->setRange(0, 100);
+  pull->setTextVisible(false);
+  describe(
+      *pull, tr("%1: pull").arg(digit),
+      tr("%1: how hard it pulls away, as a share of the pull at which its tie lets go").arg(digit));
+  return pull;
 }
 
 /// The best set of the digits that touch, against the limits for help.
@@ -96,7 +104,8 @@ QLayout* GraspView::make_criteria(const QString& prefix) {
     row.limit = new QLabel;
     row.limit->setProperty("role", "quiet");
     row.verdict = new QLabel;
-    auto* title = new QLabel(criterion_title(k));
+    auto* title = new QLabel(form_ == Form::wide ? criterion_title(k) : criterion_name(k));
+    title->setToolTip(criterion_title(k));
     title->setWordWrap(true);
     grid->addWidget(title, at, 0);
     for (QLabel* number : {row.value, row.limit})
@@ -105,6 +114,7 @@ QLayout* GraspView::make_criteria(const QString& prefix) {
     grid->addWidget(row.limit, at, 2);
     grid->addWidget(row.verdict, at, 3);
   }
+  if (form_ == Form::narrow) return grid;
   constexpr int kNumber_px = 70;
   constexpr int kLimit_px = 100;
   constexpr int kVerdict_px = 16;
@@ -120,7 +130,8 @@ void GraspView::show_digits(const std::optional<GraspLive>& grasp) {
     const DigitLive digit = grasp ? grasp->digits[d] : DigitLive{};
     constexpr double kPercent = 100.0;
     row.state->setText(grasp ? state_words(digit.state) : tr("–"));
-    row.pull->setValue(static_cast<int>(kPercent * digit.share.value_or(0.0)));
+    if (row.pull != nullptr)
+      row.pull->setValue(static_cast<int>(kPercent * digit.share.value_or(0.0)));
     row.pull_words->setText(
         digit.share ? tr("%1 of %2 N").arg(in_newtons(digit.pull_N), in_newtons(*grasp->release_N))
                     : QString());

@@ -18,8 +18,12 @@ class GraspView final : public QWidget {
   Q_OBJECT
 
  public:
+  enum class Form : std::uint8_t {
+    wide,   ///< pulls as bars, too, and criteria by their meaning
+    narrow  ///< beside a picture
+  };
   /// Its parts are named `prefix` + digit_state_0, digit_pull_0 …, criterion_0 …, grasp_verdict.
-  explicit GraspView(const QString& prefix, QWidget* parent = nullptr);
+  GraspView(const QString& prefix, Form form, QWidget* parent = nullptr);
 
   /// Nothing: no object is there.
   void show_grasp(const std::optional<GraspLive>& grasp);
@@ -27,7 +31,7 @@ class GraspView final : public QWidget {
  private:
   struct DigitRow {
     QLabel* state;
-    QProgressBar* pull;
+    QProgressBar* pull;  ///< null: narrow
     QLabel* pull_words;
   };
   struct CriterionRow {
@@ -36,10 +40,12 @@ class GraspView final : public QWidget {
     QLabel* verdict;
   };
   QLayout* make_digits(const QString& prefix);
+  QProgressBar* make_pull(const QString& name, const QString& digit);
   QLayout* make_criteria(const QString& prefix);
   void show_digits(const std::optional<GraspLive>& grasp);
   void show_criteria(const std::optional<GraspLive>& grasp);
 
+  Form form_;
   std::array<DigitRow, kDigitCount> digits_{};
   std::array<CriterionRow, 3> criteria_{};
   QLabel* verdict_;

@@ -27,7 +27,7 @@ QString tracker_words(const TrackerWatch& watch) {
 HandPanel::HandPanel(SessionPresenter& presenter, QWidget* parent)
     : Card(tr("Live hand"), parent), presenter_(presenter) {
   make_head();
-  grasp_ = new GraspView({});
+  grasp_ = new GraspView({}, GraspView::Form::wide);
   column_->addWidget(grasp_);
   column_->addStretch(1);
   connect(&presenter_.flow(), &SessionFlow::changed, this, &HandPanel::refresh_part);

@@ -49,4 +49,12 @@ QString level_words(virtual_hand::AssistanceLevel level) {
   return {};
 }
 
+QString criterion_name(std::size_t which) {
+  switch (which) {
+    case 0: return HandTexts::tr("G min");
+    case 1: return HandTexts::tr("H min");
+    default: return HandTexts::tr("H det");
+  }
+}
+
 }  // namespace isograsp::gui

@@ -19,4 +19,7 @@ namespace isograsp::gui {
 /// "full", "softer", "none".
 [[nodiscard]] QString level_words(virtual_hand::AssistanceLevel level);
 
+/// "G min", "H min", "H det": of GraspLive::criteria.
+[[nodiscard]] QString criterion_name(std::size_t which);
+
 }  // namespace isograsp::gui

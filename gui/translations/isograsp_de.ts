@@ -712,8 +712,8 @@
         <translation>%1: für die Person losgelassen</translation>
     </message>
     <message>
-        <source>%1: loose, the object was dropped</source>
-        <translation>%1: frei, das Objekt fiel</translation>
+        <source>The object was dropped</source>
+        <translation>Das Objekt fiel</translation>
     </message>
     <message>
         <source>%1: loose, the placement is over</source>

@@ -712,8 +712,8 @@
         <translation>%1 : lâché pour la personne</translation>
     </message>
     <message>
-        <source>%1: loose, the object was dropped</source>
-        <translation>%1 : libre, l’objet est tombé</translation>
+        <source>The object was dropped</source>
+        <translation>L’objet est tombé</translation>
     </message>
     <message>
         <source>%1: loose, the placement is over</source>

@@ -42,9 +42,9 @@ struct GraspRows {
     return value_at(signals, state[digit], row) == kTied;
   }
   /// What the task ordered after a row is seen in the next one.
-  [[nodiscard]] bool grew(Place column, std::size_t row) const {
-    const double before = value_at(signals, column, row >= 2 ? row - 2 : 0);
-    return value_at(signals, column, row) > before;
+  [[nodiscard]] bool just_helped(std::size_t row) const {
+    const double before = value_at(signals, helped, row >= 2 ? row - 2 : 0);
+    return value_at(signals, helped, row) > before;
   }
 
   const Signals& signals;
@@ -58,10 +58,30 @@ What why_loose(const GraspRows& rows, std::size_t digit, std::size_t row) {
   if (value_at(rows.signals, rows.placement, row) !=
       value_at(rows.signals, rows.placement, row - 1))
     return What::ended;
-  if (rows.grew(rows.helped, row)) return What::helped;
-  if (rows.grew(rows.fails, row)) return What::dropped;
+  if (rows.just_helped(row)) return What::helped;
   const double pull_N = value_at(rows.signals, rows.pull[digit], row);
   return pull_N > value_at(rows.signals, rows.limit, row) ? What::pulled : What::alone;
+}
+
+/// In that row, to no digit yet.
+GraspEvent happened(const GraspRows& rows, What what, std::size_t row) {
+  GraspEvent event;
+  event.t_s = rows.signals.column(columns::t_s)[row];
+  event.what = what;
+  event.limit_N = value_at(rows.signals, rows.limit, row);
+  if (what == What::tied)
+    event.grasp = choice_at(rows.signals, rows.choice, row - 1);  // what stood before
+  return event;
+}
+
+/// Digits to whom the same happens at once share a line; each that pulls has its own number.
+void add(std::vector<GraspEvent>& story, const GraspEvent& event) {
+  for (auto before = story.rbegin(); before != story.rend() && before->t_s == event.t_s; ++before)
+    if (before->what == event.what && event.what != What::pulled) {
+      before->digits |= event.digits;
+      return;
+    }
+  story.push_back(event);
 }
 
 QString digits_words(DigitSet digits) {
@@ -78,10 +98,10 @@ QString criterion_words(const QString& name, double value, double limit) {
 
 QString why_tied(const GraspChoice& grasp) {
   QStringList criteria;
-  criteria << criterion_words(GraspTexts::tr("G min"), grasp.G_min, grasp.G_min_limit);
+  criteria << criterion_words(criterion_name(0), grasp.G_min, grasp.G_min_limit);
   if (grasp.H_min_limit > 0.0)
-    criteria << criterion_words(GraspTexts::tr("H min"), grasp.H_min, grasp.H_min_limit);
-  criteria << criterion_words(GraspTexts::tr("H det"), grasp.H_det, grasp.H_det_limit);
+    criteria << criterion_words(criterion_name(1), grasp.H_min, grasp.H_min_limit);
+  criteria << criterion_words(criterion_name(2), grasp.H_det, grasp.H_det_limit);
   return criteria.join(GraspTexts::tr("; "));
 }
 
@@ -91,31 +111,17 @@ std::vector<GraspEvent> grasp_story(const Signals& signals) {
   std::vector<GraspEvent> story;
   const GraspRows rows(signals);
   if (!rows.state[0]) return story;
-  const auto t_s = signals.column(columns::t_s);
-  for (std::size_t row = 1; row < t_s.size(); ++row) {
-    const std::size_t first = story.size();
-    const auto tell = [&](What what, std::size_t digit) {
-      for (std::size_t k = first; k < story.size(); ++k)
-        if (story[k].what == what && what != What::pulled) {
-          story[k].digits |= static_cast<DigitSet>(1U << digit);
-          return;
-        }
-      GraspEvent event;
-      event.t_s = t_s[row];
-      event.what = what;
-      event.digits = static_cast<DigitSet>(1U << digit);
-      if (what == What::pulled) {
-        event.pull_N = value_at(signals, rows.pull[digit], row);
-        event.limit_N = value_at(signals, rows.limit, row);
-      } else if (what == What::tied) {
-        event.grasp = choice_at(signals, rows.choice, row - 1);  // it is tied by what stood before
-      }
-      story.push_back(event);
-    };
+  const std::size_t count = signals.rows();
+  for (std::size_t row = 1; row < count; ++row) {
+    if (value_at(signals, rows.fails, row) > value_at(signals, rows.fails, row - 1))
+      add(story, happened(rows, What::dropped, row));
     for (std::size_t d = 0; d < kDigitCount; ++d) {
       const bool now = rows.tied(d, row);
       if (now == rows.tied(d, row - 1)) continue;
-      tell(now ? What::tied : why_loose(rows, d, row), d);
+      GraspEvent event = happened(rows, now ? What::tied : why_loose(rows, d, row), row);
+      event.digits = static_cast<DigitSet>(1U << d);
+      event.pull_N = value_at(signals, rows.pull[d], row);
+      add(story, event);
     }
   }
   return story;
@@ -135,7 +141,7 @@ QString words_of(const GraspEvent& event) {
           .arg(who, newtons(event.pull_N), newtons(event.limit_N));
     case What::alone: return GraspTexts::tr("%1: let go, what was left held nothing").arg(who);
     case What::helped: return GraspTexts::tr("%1: let go for the person").arg(who);
-    case What::dropped: return GraspTexts::tr("%1: loose, the object was dropped").arg(who);
+    case What::dropped: return GraspTexts::tr("The object was dropped");
     case What::ended: return GraspTexts::tr("%1: loose, the placement is over").arg(who);
   }
   return {};

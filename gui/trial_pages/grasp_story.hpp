@@ -18,12 +18,12 @@ struct GraspEvent {
     pulled,   ///< the digit pulled harder than its tie holds
     alone,    ///< another one let go, and what was left is no grasp
     helped,   ///< the object was let go for the person
-    dropped,  ///< it fell and stands where it began
+    dropped,  ///< nothing held the object any more
     ended     ///< the placement is over
   };
   double t_s = 0.0;  ///< on the trial's own clock
   What what = What::tied;
-  virtual_hand::DigitSet digits = 0;  ///< to whom it happened
+  virtual_hand::DigitSet digits = 0;  ///< to whom it happened; `dropped`: 0
   // Of `pulled`: the pull at which it let go, and what a tie holds.
   double pull_N = 0.0;
   double limit_N = 0.0;
@@ -31,7 +31,7 @@ struct GraspEvent {
   virtual_hand::GraspChoice grasp;
 };
 
-/// In the order of time. Empty: nothing was tied, or the trial has no such columns.
+/// In the order of time. Empty: nothing was tied or dropped, or the trial has no such columns.
 [[nodiscard]] std::vector<GraspEvent> grasp_story(const Signals& signals);
 
 /// "Index finger: let go, pulled with 1.90 N > 1.20 N".

@@ -21,7 +21,6 @@ namespace {
 constexpr int kFrame_ms = 33;       // of the replay on the screen
 constexpr double kSlider_Hz = 1e3;  // steps of the slider
 constexpr int kAbout_px = 284;
-constexpr int kGrasp_px = 410;
 constexpr int kAboutBelow_px = 180;  // with large letters
 
 QString phase_words(tasks::Phase phase) {
@@ -94,13 +93,10 @@ QWidget* TrialView::make_pictures() {
   arm_ = new ArmViews;
   arm_->setObjectName("trial_arm");
   take_rest(*arm_, 120);
-  grasp_ = new GraspView("replay_");
-  grasp_->setFixedWidth(scaled(kGrasp_px));
   auto* beside = new QHBoxLayout;
   beside->setSpacing(6);
   beside->addWidget(object_, 2);
   beside->addWidget(arm_, 3);
-  beside->addWidget(grasp_);
   column->addLayout(beside, 9);
   column->addWidget(why_flat_);
   column->addWidget(plot_, 10);
@@ -109,11 +105,16 @@ QWidget* TrialView::make_pictures() {
 }
 
 QWidget* TrialView::make_about() {
+  auto* about = new QWidget;
+  if (side_by_side() == QBoxLayout::LeftToRight) about->setFixedWidth(scaled(kAbout_px));
+  grasp_ = new GraspView("replay_", GraspView::Form::narrow);
   side_ = new QStackedWidget;
-  if (side_by_side() == QBoxLayout::LeftToRight)
-    side_->setFixedWidth(scaled(kAbout_px));
-  else
-    side_->setMinimumHeight(scaled(kAboutBelow_px));
+  if (side_by_side() != QBoxLayout::LeftToRight) side_->setMinimumHeight(scaled(kAboutBelow_px));
+  auto* column = new QVBoxLayout(about);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(10);
+  column->addWidget(grasp_);
+  column->addWidget(side_, 1);
   about_ = new TrialAbout;
   channels_ = new QListWidget;
   channels_->setObjectName("trial_channels");
@@ -121,7 +122,7 @@ QWidget* TrialView::make_about() {
            tr("Every recorded channel: arrow keys and Space choose what is drawn"));
   side_->addWidget(about_);
   side_->addWidget(channels_);
-  return side_;
+  return about;
 }
 
 QWidget* TrialView::make_controls() {

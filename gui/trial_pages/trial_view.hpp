@@ -69,7 +69,7 @@ class TrialView final : public Card {
   ObjectPathView* flat_;
   ReplayWindow* window_ = nullptr;  ///< made when there is OpenGL and an object; of its container
   ArmViews* arm_;     ///< an arm from three sides, beside the picture that its person saw
-  GraspView* grasp_;  ///< why a tracked hand held, beside the picture
+  GraspView* grasp_;  ///< of a tracked hand: what holds, above what is known of the trial
   QLabel* why_flat_;
   TrialPlot* plot_;
   QLabel* reading_;

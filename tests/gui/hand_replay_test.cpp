@@ -171,6 +171,55 @@ TEST(HandReplay, WhatTheTherapistLetGoIsToldAsThatAndNeitherAsADropNorAsAPull) {
   EXPECT_EQ(story.back().what, What::helped) << words_of(story.back()).toStdString();
 }
 
+/// Rows of thumb and index, by hand: what is written in a row is all that the story knows.
+TEST(HandReplay, EachReasonIsToldFromTheRowsAlone) {
+  struct Row {
+    int thumb, index;  ///< states
+    double thumb_pull_N, index_pull_N;
+    int placement, fails, helped;
+  };
+  constexpr double kLimit_N = 1.0;
+  const auto story_of = [](std::initializer_list<Row> rows) {
+    std::vector<std::string> names{std::string(columns::t_s)};
+    for (const Column& column :
+         {columns::grasp_state[0], columns::grasp_state[1], columns::pull_N[0], columns::pull_N[1],
+          columns::release_pull_N, columns::placement, columns::placement_fails,
+          columns::object_helped})
+      names.emplace_back(column);
+    Signals signals(std::move(names));
+    double t_s = 0.0;
+    for (const Row& row : rows)
+      signals.append_row(std::array{t_s += 0.01, 1.0 * row.thumb, 1.0 * row.index, row.thumb_pull_N,
+                                    row.index_pull_N, kLimit_N, 1.0 * row.placement,
+                                    1.0 * row.fails, 1.0 * row.helped});
+    return grasp_story(signals);
+  };
+  const Row held{2, 2, 0.1, 0.1, 0, 0, 0};
+  const auto pulled = story_of({held, {3, 3, 1.5, 0.2, 0, 0, 0}});
+  ASSERT_EQ(pulled.size(), 2U);
+  EXPECT_EQ(pulled[0].what, What::pulled);
+  EXPECT_EQ(pulled[0].digits, 1U);
+  EXPECT_EQ(pulled[0].pull_N, 1.5);
+  EXPECT_EQ(pulled[0].limit_N, kLimit_N);
+  EXPECT_EQ(pulled[1].what, What::alone);
+  EXPECT_EQ(pulled[1].digits, 2U);
+  const auto tied = story_of({{1, 1, 0, 0, 0, 0, 0}, held});
+  ASSERT_EQ(tied.size(), 1U) << "both in one line";
+  EXPECT_EQ(tied[0].what, What::tied);
+  EXPECT_EQ(tied[0].digits, 3U);
+  // What the task orders after a row is seen in the next one.
+  const auto helped = story_of({held, {2, 2, 0.1, 0.1, 0, 0, 1}, {0, 0, 0, 0, 0, 0, 1}});
+  ASSERT_EQ(helped.size(), 1U);
+  EXPECT_EQ(helped[0].what, What::helped);
+  const auto ended = story_of({held, {0, 0, 0, 0, -1, 0, 0}});
+  ASSERT_EQ(ended.size(), 1U);
+  EXPECT_EQ(ended[0].what, What::ended);
+  const auto dropped = story_of({{0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 1, 0}});
+  ASSERT_EQ(dropped.size(), 1U) << "without help it can fall, too";
+  EXPECT_EQ(dropped[0].what, What::dropped);
+  EXPECT_EQ(words_of(dropped[0]), "The object was dropped");
+}
+
 TEST(HandReplay, OfAnotherTrialThereIsNoStory) {
   Signals signals({"t_s", "thumb_fz_N"});
   signals.append_row(std::array{0.0, 1.0});

@@ -80,6 +80,28 @@ TEST_F(Leaving, WithBothWindowsOpenEndsWithStatusZero) {
   EXPECT_EQ(stored("SELECT count(*), sum(ended_utc <> '') FROM sessions"), "1|1\n");
 }
 
+TEST_F(Leaving, AStoredTrialOfATrackedHandIsPlayedAndEndsWithStatusZero) {
+  const std::string protocol = desktop_.folder().write(
+      "library/protocols/one_hand.toml",
+      "format = \"isograsp-protocol-1\"\nname = \"One hand\"\n[[step]]\nkind = \"hand_entry\"\n"
+      "[[step]]\nkind = \"task\"\ntask = \"virtual_place_first.toml\"\npractice = true\n");
+  const auto done = test::isograsp("run --protocol-file " + protocol +
+                                   " --device 'sim://hand?user=healthy&seed=7' --patient P-001 "
+                                   "--fast --db " +
+                                   database());
+  ASSERT_EQ(done.status, 0) << done.err;
+  start();
+  ASSERT_TRUE(desktop_.choose("patient_list", "P-001"));
+  ASSERT_TRUE(desktop_.click("page_2"));
+  ASSERT_TRUE(desktop_.choose("course_trials", "Place virtual objects, first steps"));
+  ASSERT_TRUE(desktop_.wait_for("replay_grasp_verdict")) << "its numbers stand beside it";
+  ASSERT_TRUE(desktop_.click("trial_play"));
+  ASSERT_TRUE(desktop_.wait_until([&] {
+    return words_on("replay_digit_state_0") == "tied" || !desktop_.runs();
+  })) << desktop_.seen();
+  expect_clean_end();
+}
+
 TEST_F(Leaving, EveryLanguageAndEverySizeOfLettersMakesTheWindowAnewAndEndsWithStatusZero) {
   fill();
   start();

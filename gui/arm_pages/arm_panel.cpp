@@ -95,7 +95,7 @@ QString picture_check_words(const PictureCheck& check) {
   for (const auto& off_rad : check.off_rad()) most_rad = std::max(most_rad, *off_rad);
   return ArmPanel::tr(
              "✗ In the picture it went %1° off. Once more; if it stays so, [view] of the "
-             "rig names other axes: begin no trial.")
+             "rig names other axes: nothing begins that is done by this picture.")
       .arg(in_degrees(most_rad));
 }
 
@@ -156,7 +156,9 @@ void ArmPanel::refresh_check() {
   describe(*check_, check_->text(),
            tr("You move the object to the right, up and away, towards the screen; the picture must "
               "do the same. Before the first trial (Tab, then space)"));
-  check_->setEnabled(running || (open && open->arm && presenter_.flow().view().may_choose_task));
+  const FlowView& view = presenter_.flow().view();
+  check_->setEnabled(running || (open && open->arm && view.may_watch_picture));
+  mark_next(*check_, view.press == NextPress::picture);
   check_words_->setText(open ? picture_check_words(open->picture_check) : QString());
   check_words_->setVisible(!check_words_->text().isEmpty());
 }

@@ -61,7 +61,7 @@ void Preparing::check_picture() {
   if (!open || open->arm_space == nullptr) return;
   if (open->picture_check.running())
     open->picture_check.stop();
-  else if (flow_.view().may_choose_task)
+  else if (flow_.view().may_watch_picture)
     open->picture_check.begin();
   flow_.update();
 }
@@ -71,7 +71,7 @@ void Preparing::look_at_picture() {
   OpenSession& open = *state_.open;
   PictureCheck& check = open.picture_check;
   if (!open.arm || !check.running()) return;
-  if (!flow_.view().may_choose_task) check.stop();  // a trial begins
+  if (!flow_.view().may_watch_picture) check.stop();  // a trial begins, or the cameras fail
   if (!check.add(*open.arm, *open.arm_space)) return;
   if (check.over()) {
     std::vector<storage::SessionAnswer> answers;

@@ -7,6 +7,8 @@
 #include "gui/presenter/next_words.hpp"
 #include "gui/words/texts.hpp"
 #include "session/demonstration.hpp"
+#include "tasks/kinds/arm/pose_following.hpp"
+#include "tasks/kinds/arm/pose_matching.hpp"
 #include "tasks/kinds/hand/virtual_pick_place.hpp"
 
 namespace isograsp::gui {
@@ -32,6 +34,12 @@ ProtocolFacts protocol_facts(const ProtocolGuide& guide, bool by_itself, double 
   facts.wait_s = static_cast<int>(std::ceil(guide.wait_s(session_time_s)));
   facts.start_in_s = static_cast<int>(std::ceil(guide.start_in_s(session_time_s)));
   return facts;
+}
+
+/// It is done by what the picture of an arm shows: the object goes to its reference.
+bool by_picture(const tasks::TaskSpec& spec) {
+  return spec.kind.get_if<tasks::PoseMatchingSpec>() != nullptr ||
+         spec.kind.get_if<tasks::PoseFollowingSpec>() != nullptr;
 }
 
 void add_camera_facts(const session::ArmSnapshot& now, FlowFacts& facts) {
@@ -128,6 +136,10 @@ void SessionFlow::add_session_facts(const OpenSession& open, FlowFacts& facts) c
   facts.at_rest = open.trial && open.trial->rest_watch.at_rest();
   facts.health = now.health;
   if (open.arm) add_camera_facts(*open.arm, facts);
+  // The picture of an arm in software is made by the same hand as its rig, and nobody can move it.
+  facts.picture_unsure = open.arm_space != nullptr && !state_.simulated() && !state_.recorded() &&
+                         !open.picture_check.good();
+  facts.picture_watched = open.picture_check.running();
   if (open.hand) add_tracker_facts(*open.hand, facts);
   facts.asks_zero =
       open.session->known().asks_for(session::PreparationStep::zero) || facts.is_seen();
@@ -155,7 +167,10 @@ void SessionFlow::add_session_facts(const OpenSession& open, FlowFacts& facts) c
   facts.stop_reason = reason.empty() ? open.limits.reason_to_stop().value_or(Text()) : reason;
   if (follows)
     facts.protocol = protocol_facts(open.work.guide, state_.choices.by_itself, open.time_s());
-  if (open.ended) facts.last_rested = is_rest(*open.ended->task);
+  if (open.ended) {
+    facts.last_rested = is_rest(*open.ended->task);
+    facts.last_in_picture = by_picture(*open.ended->task);
+  }
 }
 
 void SessionFlow::add_task_facts(FlowFacts& facts) const {
@@ -164,6 +179,7 @@ void SessionFlow::add_task_facts(FlowFacts& facts) const {
   facts.task_chosen = spec != nullptr;
   if (spec == nullptr) return;
   facts.task_rests = is_rest(*spec) && facts.asks_rest;
+  facts.task_in_picture = by_picture(*spec);
   facts.task_needs_entry = spec->kind.get_if<tasks::VirtualPickPlaceSpec>() != nullptr;
   facts.task_not_shown = session::why_not_shown(*spec);
   facts.task_name = spec->name;

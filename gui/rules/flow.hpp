@@ -72,6 +72,11 @@ struct FlowFacts {
   /// is said here of a zero is said of that. A recording asks for it, too.
   bool start_posture = false;
   MarkerFault camera_fault = MarkerFault::none;
+  /// Nobody has seen yet that the picture of a live arm moves as the arm does (PictureCheck).
+  bool picture_unsure = false;
+  bool picture_watched = false;  ///< it is being looked at
+  bool task_in_picture = false;  ///< the task is done by what that picture shows
+  bool last_in_picture = false;  ///< the last trial was
   /// It is a tracker that sees a hand: what it asks for is the entry test, and all that is said
   /// here of a zero is said of that. A recording asks for it, too.
   bool hand_entry = false;
@@ -182,7 +187,8 @@ enum class Situation : std::uint8_t {
   next_by_itself,
   next_after_rest,
   next_act,
-  no_act,  ///< the protocol's next task cannot be made
+  check_picture,  ///< before the first trial that is done by the picture of a live arm
+  no_act,         ///< the protocol's next task cannot be made
   recording_ready,
   first_maximum,
   next_maximum,
@@ -204,6 +210,7 @@ enum class NextPress : std::uint8_t {
   connect,
   zero,
   strap,
+  picture,
   start,
   resume,
   report
@@ -232,6 +239,7 @@ struct FlowView {
   bool may_accept_changed = false;  ///< the refused zero may be repeated as "serviced or remounted"
   bool may_check = false;           ///< the supports, with the hand out
   bool may_strap = false;
+  bool may_watch_picture = false;  ///< whether it moves as the arm does
   bool may_choose_task = false;
   bool may_show_how = false;  ///< the patient may watch how the chosen task is done
   Text not_shown;             ///< why nobody can show it on a screen; empty: it can be shown

@@ -11,6 +11,7 @@ bool may_arm(const FlowFacts& facts) {
   const auto& protocol = facts.protocol;
   if (!protocol.active || protocol.goes_on || !protocol.by_itself || !has_zero(facts)) return false;
   if (protocol.act == ProtocolFacts::Act::pause) return true;
+  if (protocol.act == ProtocolFacts::Act::trial && picture_due(facts)) return false;
   const bool settles = facts.task_rests && facts.strapped && facts.settling_s > 0;
   return protocol.act == ProtocolFacts::Act::trial && facts.task_chosen &&
          (!facts.task_rests || facts.strapped) && (protocol.wait_s > 0 || settles);
@@ -38,6 +39,8 @@ NextPress press_for(Situation situation, const FlowFacts& facts, const FlowView&
     case Situation::straps_due:
     case Situation::strap_in:
     case Situation::strap_again: return if_possible(view.may_strap, NextPress::strap);
+    case Situation::check_picture:
+      return if_possible(view.may_watch_picture && !facts.picture_watched, NextPress::picture);
     case Situation::paused:
     case Situation::paused_by_fault:
     case Situation::let_go: return if_possible(view.may_resume, NextPress::resume);
@@ -78,6 +81,7 @@ void decide_between_trials(const FlowFacts& facts, bool sound, FlowView& view) {
   view.may_accept_changed = view.may_zero && facts.zero_only_changed;
   view.may_check = view.may_zero && !facts.is_seen();
   view.may_strap = live && facts.asks_rest && zero && (!facts.strapped || facts.straps_due);
+  view.may_watch_picture = live && facts.start_posture;
   view.may_choose_task = !in_trial(facts) && !facts.starting && !facts.zero_asked;
   view.may_show_how = view.may_choose_task && facts.task_chosen && facts.task_not_shown.empty() &&
                       !facts.recorded && facts.connection != Connection::opening &&
@@ -89,6 +93,7 @@ void decide_between_trials(const FlowFacts& facts, bool sound, FlowView& view) {
   view.may_start = view.may_begin || (ready && may_arm(facts));
   view.may_repeat =
       ready && (zero || facts.hand_entry) && facts.last_rested &&
+      !(facts.last_in_picture && facts.picture_unsure) &&
       (!*facts.last_rested || facts.recorded || (facts.strapped && facts.settling_s == 0));
   view.may_skip = quiet && facts.protocol.active && facts.protocol.act != ProtocolFacts::Act::none;
   view.may_stand_by = quiet && facts.protocol.active && facts.protocol.goes_on;
@@ -111,6 +116,7 @@ Obstacle obstacle_of(const FlowFacts& facts) {
   if (protocol.active && protocol.wait_s > 0) return Obstacle::rests;
   if (protocol.active && protocol.act == ProtocolFacts::Act::pause) return Obstacle::pause_ends;
   if (!facts.task_chosen) return Obstacle::no_task;
+  if (picture_due(facts)) return Obstacle::picture_unsure;
   return facts.task_lacks.empty() ? Obstacle::none : Obstacle::task_lacks;
 }
 

@@ -23,6 +23,10 @@ bool may_do_without_entry(const FlowFacts& facts) {
   return facts.hand_entry && !facts.task_needs_entry;
 }
 
+bool picture_due(const FlowFacts& facts) {
+  return facts.picture_unsure && facts.task_chosen && facts.task_in_picture;
+}
+
 bool may_go_on(const FlowFacts& facts) {
   if (session::goes_on_by_itself(facts.pause_cause)) return false;
   return facts.at_rest || (facts.pause_cause == session::PauseCause::therapist && has_zero(facts));

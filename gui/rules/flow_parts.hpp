@@ -16,6 +16,8 @@ namespace isograsp::gui {
 [[nodiscard]] bool has_zero(const FlowFacts& facts);
 /// What is chosen is nothing with virtual objects: it is measured of a hand without its entry test.
 [[nodiscard]] bool may_do_without_entry(const FlowFacts& facts);
+/// What is chosen is done by a picture of which nobody knows whether it moves as the arm does.
+[[nodiscard]] bool picture_due(const FlowFacts& facts);
 /// A trial that the therapist has paused goes on as it stands. After a fault, or the restart of a
 /// sensor during that pause: from rest only, and with a zero that has not moved; before cameras: as
 /// soon as they send pictures again. Out of sight: by itself.
@@ -50,6 +52,7 @@ enum class Obstacle : std::uint8_t {
   rests,
   pause_ends,
   no_task,
+  picture_unsure,
   task_lacks
 };
 [[nodiscard]] Obstacle obstacle_of(const FlowFacts& facts);

@@ -25,6 +25,7 @@ Situation in_protocol(const FlowFacts& facts) {
   if (!facts.task_chosen) return Situation::no_act;
   const bool rest = facts.task_rests;
   if (rest && before_rest(facts) != Situation::rest_ready) return before_rest(facts);
+  if (picture_due(facts)) return Situation::check_picture;
   if (protocol.goes_on && protocol.start_in_s > 0) return Situation::next_by_itself;
   if (protocol.wait_s > 0) return Situation::next_after_rest;
   return rest ? Situation::rest_ready : Situation::next_act;
@@ -36,6 +37,7 @@ Situation by_hand(const FlowFacts& facts) {
   const bool rest = facts.task_chosen && facts.task_rests;
   if (!facts.rest_done && !rest) return Situation::rest_left_out;
   if (rest && (!facts.rest_done || facts.settling_s > 0)) return before_rest(facts);
+  if (picture_due(facts)) return Situation::check_picture;
   if (facts.task_done) return Situation::trial_stored;
   if (!facts.asks_rest) return Situation::choose_task;  // nothing is scaled to a force
   if (!(facts.maximum_force_N > 0.0)) return Situation::first_maximum;
@@ -158,6 +160,7 @@ Mood mood_of(Situation situation) {
     case Situation::strap_in:
     case Situation::strap_again:
     case Situation::rest_left_out:
+    case Situation::check_picture:
     case Situation::no_act: break;
   }
   return Mood::attention;

@@ -45,6 +45,7 @@ std::optional<Step> step_of(Situation situation, const FlowFacts& facts) {
     case Situation::next_by_itself:
     case Situation::next_after_rest:
     case Situation::next_act:
+    case Situation::check_picture:
     case Situation::no_act:
     case Situation::recording_ready:
     case Situation::first_maximum:

@@ -209,6 +209,11 @@ QString words_of_arm(Situation situation, const FlowFacts& facts) {
     case Situation::protocol_zero:
       return FlowTexts::tr(
           "The arm in the start posture, held still: measure it when the light says so.");
+    case Situation::check_picture:
+      return facts.picture_watched
+                 ? FlowTexts::tr("The object is moved as Live arm says, seen by the patient.")
+                 : FlowTexts::tr(
+                       "Before the first target: check that the picture moves as the object does.");
     default: return {};
   }
 }
@@ -272,6 +277,7 @@ QString hint_of(const FlowFacts& facts) {
     case Obstacle::rests: return FlowTexts::tr("Rest: %1 s.").arg(facts.protocol.wait_s);
     case Obstacle::pause_ends: return FlowTexts::tr("The pause is over in a moment.");
     case Obstacle::no_task: return FlowTexts::tr("Choose a task.");
+    case Obstacle::picture_unsure: return FlowTexts::tr("Check the picture first, in Live arm.");
     case Obstacle::task_lacks: return QString::fromStdString(facts.task_lacks);
   }
   return {};

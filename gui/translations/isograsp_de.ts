@@ -253,6 +253,18 @@
 <context>
     <name>Flow</name>
     <message>
+        <source>The object is moved as Live arm says, seen by the patient.</source>
+        <translation>Der Gegenstand wird bewegt, wie „Arm jetzt“ es sagt, aus Sicht der Person.</translation>
+    </message>
+    <message>
+        <source>Before the first target: check that the picture moves as the object does.</source>
+        <translation>Vor dem ersten Ziel: prüfen, ob sich das Bild bewegt wie der Gegenstand.</translation>
+    </message>
+    <message>
+        <source>Check the picture first, in Live arm.</source>
+        <translation>Zuerst das Bild prüfen, unter „Arm jetzt“.</translation>
+    </message>
+    <message>
         <source>Not connected</source>
         <translation>Nicht verbunden</translation>
     </message>
@@ -2588,8 +2600,8 @@
         <translation>✓ Das Bild bewegt sich wie der Gegenstand.</translation>
     </message>
     <message>
-        <source>✗ In the picture it went %1° off. Once more; if it stays so, [view] of the rig names other axes: begin no trial.</source>
-        <translation>✗ Im Bild ging er %1° daneben. Noch einmal; bleibt es so, nennt [view] des Markersatzes andere Achsen: keinen Versuch beginnen.</translation>
+        <source>✗ In the picture it went %1° off. Once more; if it stays so, [view] of the rig names other axes: nothing begins that is done by this picture.</source>
+        <translation>✗ Im Bild ging er %1° daneben. Noch einmal; bleibt es so, nennt [view] des Markersatzes andere Achsen: Nach diesem Bild beginnt kein Versuch.</translation>
     </message>
     <message>
         <source>Live arm</source>

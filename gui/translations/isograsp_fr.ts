@@ -253,6 +253,18 @@
 <context>
     <name>Flow</name>
     <message>
+        <source>The object is moved as Live arm says, seen by the patient.</source>
+        <translation>L’objet est déplacé comme l’indique « Bras en direct », vu par la personne.</translation>
+    </message>
+    <message>
+        <source>Before the first target: check that the picture moves as the object does.</source>
+        <translation>Avant la première cible : contrôler que l’image bouge comme l’objet.</translation>
+    </message>
+    <message>
+        <source>Check the picture first, in Live arm.</source>
+        <translation>Contrôlez d’abord l’image, dans « Bras en direct ».</translation>
+    </message>
+    <message>
         <source>Not connected</source>
         <translation>Non connecté</translation>
     </message>
@@ -2588,8 +2600,8 @@
         <translation>✓ L’image bouge comme l’objet.</translation>
     </message>
     <message>
-        <source>✗ In the picture it went %1° off. Once more; if it stays so, [view] of the rig names other axes: begin no trial.</source>
-        <translation>✗ Dans l’image, il a dévié de %1°. Recommencez&#xa0;; si cela persiste, [view] du jeu de marqueurs nomme d’autres axes&#xa0;: ne commencez aucun essai.</translation>
+        <source>✗ In the picture it went %1° off. Once more; if it stays so, [view] of the rig names other axes: nothing begins that is done by this picture.</source>
+        <translation>✗ Dans l’image, il a dévié de %1°. Recommencez&#xa0;; si cela persiste, [view] du jeu de marqueurs nomme d’autres axes&#xa0;: aucun essai guidé par cette image ne commence.</translation>
     </message>
     <message>
         <source>Live arm</source>

@@ -176,6 +176,20 @@ void last_trials(FlowFacts& facts, const std::function<void()>& then) {
   }
 }
 
+void pictures(FlowFacts& facts, const std::function<void()>& then) {
+  for (const auto& [unsure, watched] :
+       {std::pair{false, false}, std::pair{true, false}, std::pair{true, true}}) {
+    facts.picture_unsure = unsure;
+    facts.picture_watched = watched;
+    facts.task_in_picture = facts.last_in_picture = unsure;
+    facts.last_rested = unsure ? std::optional(false) : std::nullopt;
+    then();
+  }
+  facts.picture_unsure = facts.picture_watched = facts.task_in_picture = false;
+  facts.last_in_picture = false;
+  facts.last_rested.reset();
+}
+
 FlowFacts with_database() {
   FlowFacts facts;
   facts.database_open = true;
@@ -205,6 +219,11 @@ const char* disagreement(const FlowFacts& facts, const FlowView& view) {
   if (begins && view.device_mood == Mood::fault) return "Start with a fault";
   if (begins && !facts.anything_arrived) return "Start without samples";
   if (begins && view.may_stop) return "Start in a trial";
+  if (view.may_start && facts.task_chosen && facts.task_in_picture && facts.picture_unsure &&
+      (!facts.protocol.active || facts.protocol.act == ProtocolFacts::Act::trial))
+    return "a target in a picture that may move another way than the arm";
+  if (view.may_repeat && facts.last_in_picture && facts.picture_unsure)
+    return "once more a target in such a picture";
   if (view.may_resume && session::goes_on_by_itself(facts.pause_cause))
     return "Resume of what goes on by itself";
   if (view.may_resume && !fresh_zero && !facts.at_rest)
@@ -232,6 +251,7 @@ const char* disagreement(const FlowFacts& facts, const FlowView& view) {
   if (!is(NextPress::connect, view.may_connect, Step::device)) return "connect";
   if (!is(NextPress::zero, view.may_zero, Step::zero)) return "zero";
   if (!is(NextPress::strap, view.may_strap, Step::rest)) return "strap";
+  if (!is(NextPress::picture, view.may_watch_picture, Step::work)) return "picture";
   if (!is(NextPress::report, view.offers_end, std::nullopt)) return "report";
   if (view.press == NextPress::start &&
       !(view.may_start && (next == Step::work || next == Step::rest) &&
@@ -337,7 +357,7 @@ void before_cameras(Judge& judge) {
   every(facts,
         {zeros, stages, cameras, arrivals, flag(&FlowFacts::zero_asked), flag(&FlowFacts::starting),
          flag(&FlowFacts::task_chosen), flag(&FlowFacts::task_done), text(&FlowFacts::stop_reason),
-         protocols},
+         pictures, protocols},
         [&](const FlowFacts& now) {
           judge.look(now);
           const FlowView seen = isograsp::gui::judge(now);

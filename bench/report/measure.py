@@ -218,6 +218,19 @@ def measure_markers(build, out, pin, described):
     (out / "markers.json").write_text(json.dumps({**described, "load": load}, indent=2) + "\n")
 
 
+def measure_hold(build, out, pin):
+    """The hold of bench/hold_scene.hpp, by every engine that was built: medians of the times, the rest
+    is the same in every round."""
+    programs = [build / "bench/bench_hand_hold", *sorted((build / "bench/peers").glob("bench_*_hold"))]
+    columns = ["engine", "digits", "ms", "slip_m", "turn_rad", "depth_m"]
+    rounds = [[line.split("\t") for program in programs for line in subprocess.run(
+        [*pin, program], stdout=subprocess.PIPE, text=True, check=True).stdout.splitlines()]
+        for _ in range(ROUNDS)]
+    rows = [dict(zip(columns, cases[0]), ms=digits(statistics.median(float(case[2]) for case in cases)))
+            for cases in zip(*rounds)]
+    write_csv(out / "hand_hold.csv", columns, rows)
+
+
 def measure_hand(build, out, pin, described):
     """Medians of the rounds, which the program makes one after the other."""
     note("hand and object")
@@ -230,6 +243,7 @@ def measure_hand(build, out, pin, described):
         digits(statistics.median(map(float, values))) if values[0] else ""
         for values in list(zip(*cases))[1:]])) for cases in zip(*rounds)]
     write_csv(out / "hand_world.csv", columns, rows)
+    measure_hold(build, out, pin)
     (out / "hand_world.json").write_text(json.dumps({**described, "load": load}, indent=2) + "\n")
 
 

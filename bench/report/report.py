@@ -6,6 +6,7 @@ The prose that does not depend on a measurement is in performance.md.in; every n
 here.
 """
 
+import math
 import pathlib
 import statistics
 import sys
@@ -260,6 +261,15 @@ def hand(results):
     return f"{conditions(results.hand_machine)}\n\n{lines}"
 
 
+def hold(results):
+    def told(row, column, form, scale):
+        return form.format(scale * float(row[column])) if row[column] != "dropped" else "dropped"
+    rows = [[r["engine"], {"2": "pinch", "3": "tripod"}[r["digits"]], time(1e6 * float(r["ms"])),
+             told(r, "slip_m", "{:.2g} mm", 1e3), told(r, "turn_rad", "{:.2g}°", 180.0 / math.pi),
+             told(r, "depth_m", "{:.2g} mm", 1e3)] for r in sorted(results.hold, key=lambda r: r["digits"])]
+    return table(["", "grip", "time of a second", "slip", "turn", "depth"], rows)
+
+
 def scoring(results):
     lines = table(["", "processor time"],
                   [[s["scoring"].replace("/", ", ").replace("_", " "), time(float(s["ms"]) * 1e6)]
@@ -272,7 +282,7 @@ def main(folder, page):
     text = (pathlib.Path(__file__).parent / "performance.md.in").read_text()
     fields = dict(machine=machine(results), noise=noise(results), ours=ours(results),
                   scenes=scenes(results), kernels=kernels(results),
-                  scoring=scoring(results), markers=markers(results), hand=hand(results), by_hand=by_hand(results),
+                  scoring=scoring(results), markers=markers(results), hand=hand(results), hold=hold(results), by_hand=by_hand(results),
                   hand_wins=hand_wins(results))
     if results.machine["peers"]:
         fields.update(closest=closest(results), levels=levels(results, False),

@@ -71,6 +71,8 @@ class Results:
         self.markers_machine = json.loads((folder / "markers.json").read_text())
         with open(folder / "hand_world.csv", newline="") as file:
             self.hand = list(csv.DictReader(file))
+        with open(folder / "hand_hold.csv", newline="") as file:
+            self.hold = list(csv.DictReader(file))
         self.hand_machine = json.loads((folder / "hand_world.json").read_text())
         self.machine = json.loads((folder / "machine.json").read_text())
 

@@ -208,7 +208,9 @@ bool AssistedGrasp::lets_go_in_part() const noexcept {
     else
       lets_go = true;
   }
-  return lets_go && count > 0 && !closes(std::span(left).first(count), rules_.pad);
+  if (!lets_go || count == 0) return false;
+  // Once it is placed nothing is to be held: one digit that opens is enough.
+  return releasing_ || !closes(std::span(left).first(count), rules_.pad);
 }
 
 bool AssistedGrasp::as_chosen(const Contacts& now) const noexcept {

@@ -59,7 +59,7 @@ struct GraspState {
   bool object_there = false;  ///< between place() and clear()
   bool frozen = false;        ///< the hand was not seen in this frame: nothing moved
   AssistanceLevel level = AssistanceLevel::off;
-  bool releasing = false;  ///< nothing is tied any more: the person is to let go
+  bool releasing = false;  ///< nothing new is tied: the person is to let go
   bool helped = false;     ///< the object was let go for the person
 
   ObjectMotion object;
@@ -95,7 +95,8 @@ class AssistedGrasp {
   void place(const GraspObject& object, const StartPlace& at, AssistanceLevel level) noexcept;
   /// The object of this placement again where it was at first: after a drop.
   void reset() noexcept;
-  /// From now on nothing new is tied: the object was placed and the hand is to open.
+  /// From now on nothing new is tied, and the first digit that lets go takes the others with it:
+  /// the object was placed and the hand is to open.
   void release() noexcept;
   /// Helps: ties end, and the object falls through the hand until the next place() or reset().
   void let_go() noexcept;
@@ -126,7 +127,8 @@ class AssistedGrasp {
   /// Where the hand is to be led to in the end of a frame that shows it there.
   [[nodiscard]] HandTarget led_to(const HandTarget& seen) noexcept;
   void step(const HandTarget& target) noexcept;
-  /// A digit lets go now, and what the others are tied at does not close without it.
+  /// A digit lets go now, and what the others are tied at does not close without it, or is to be
+  /// let go anyway.
   [[nodiscard]] bool lets_go_in_part() const noexcept;
   [[nodiscard]] bool as_chosen(const Contacts& now) const noexcept;
   void choose() noexcept;

@@ -6,7 +6,6 @@
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "gui/arm_pages/arm_words.hpp"
@@ -21,10 +20,6 @@ namespace {
 QString in_mm(double length_m) {
   constexpr double kMmPerM = 1000.0;
   return QLocale().toString(kMmPerM * length_m, 'f', 0);
-}
-QString in_degrees(double angle_rad) {
-  constexpr double kDegreesPerRad = 180.0 / std::numbers::pi;
-  return QLocale().toString(kDegreesPerRad * angle_rad, 'f', 0);
 }
 
 /// "23 mm of 15, 4° of 10".
@@ -76,29 +71,6 @@ QString practice_words(const PracticeClock& clock) {
                    .arg(first, difference);
 }
 
-QString way_words(PictureCheck::Way way) {
-  switch (way) {
-    case PictureCheck::Way::right:
-      return ArmPanel::tr("Move the object 10 cm to the right, seen by the patient, and rest.");
-    case PictureCheck::Way::up: return ArmPanel::tr("Move it 10 cm up, and rest.");
-    case PictureCheck::Way::away: break;
-  }
-  return ArmPanel::tr("Move it 10 cm away, towards the screen, and rest.");
-}
-
-QString picture_check_words(const PictureCheck& check) {
-  if (const auto way = check.asked()) return way_words(*way);
-  if (check.running()) return ArmPanel::tr("Hold the object still where the cameras see it.");
-  if (!check.over()) return {};
-  if (check.good()) return ArmPanel::tr("✓ The picture moves as the object does.");
-  double most_rad = 0.0;
-  for (const auto& off_rad : check.off_rad()) most_rad = std::max(most_rad, *off_rad);
-  return ArmPanel::tr(
-             "✗ In the picture it went %1° off. Once more; if it stays so, [view] of the "
-             "rig names other axes: nothing begins that is done by this picture.")
-      .arg(in_degrees(most_rad));
-}
-
 }  // namespace
 
 ArmPanel::ArmPanel(SessionPresenter& presenter, QWidget* parent)
@@ -126,7 +98,7 @@ ArmPanel::ArmPanel(SessionPresenter& presenter, QWidget* parent)
   connect(&presenter_.flow(), &SessionFlow::changed, this, [this] {
     show_part(*this, presenter_.state().measures_arm());
     if (!presenter_.state().open) show_nothing();
-    refresh_check();
+    check_->refresh();
   });
   connect(&presenter_.flow(), &SessionFlow::frame, this, &ArmPanel::refresh);
   show_part(*this, presenter_.state().measures_arm());
@@ -135,32 +107,13 @@ ArmPanel::ArmPanel(SessionPresenter& presenter, QWidget* parent)
 
 /// Whether the picture moves as the arm does.
 void ArmPanel::make_check() {
-  check_ = new QPushButton;
-  check_->setObjectName("picture_check");
-  check_words_ = new QLabel;
-  check_words_->setObjectName("picture_check_words");
-  check_words_->setWordWrap(true);
+  check_ = new PictureCheckView(presenter_, PictureCheckView::Moves::object, this);
   auto* top = new QHBoxLayout;
   column_->removeWidget(title_);
   top->addWidget(title_, 1);
-  top->addWidget(check_);
+  top->addWidget(check_->button());
   column_->insertLayout(0, top);
-  column_->addWidget(check_words_);
-  connect(check_, &QPushButton::clicked, this, [this] { presenter_.preparing().check_picture(); });
-}
-
-void ArmPanel::refresh_check() {
-  const auto& open = presenter_.state().open;
-  const bool running = open && open->picture_check.running();
-  check_->setText(running ? tr("Stop the check") : tr("Check the picture"));
-  describe(*check_, check_->text(),
-           tr("You move the object to the right, up and away, towards the screen; the picture must "
-              "do the same. Before the first trial (Tab, then space)"));
-  const FlowView& view = presenter_.flow().view();
-  check_->setEnabled(running || (open && open->arm && view.may_watch_picture));
-  mark_next(*check_, view.press == NextPress::picture);
-  check_words_->setText(open ? picture_check_words(open->picture_check) : QString());
-  check_words_->setVisible(!check_words_->text().isEmpty());
+  column_->addWidget(check_->words());
 }
 
 void ArmPanel::make_task() {

@@ -5,11 +5,11 @@
 
 #include <QLabel>
 #include <QProgressBar>
-#include <QPushButton>
 #include <array>
 
 #include "gui/arm_pages/arm_views.hpp"
 #include "gui/arm_pages/marker_table.hpp"
+#include "gui/arm_pages/picture_check_view.hpp"
 #include "gui/look/card.hpp"
 #include "gui/presenter/session_presenter.hpp"
 
@@ -26,15 +26,13 @@ class ArmPanel final : public Card {
   void make_task();
   void make_links();
   void refresh();
-  void refresh_check();
   void refresh_task(const OpenSession& open);
   void refresh_links(const OpenSession& open);
   void refresh_cameras(const OpenSession& open);
   void show_nothing();
 
   SessionPresenter& presenter_;
-  QPushButton* check_;
-  QLabel* check_words_;
+  PictureCheckView* check_;
   QLabel* reached_;
   QLabel* error_;
   QLabel* practice_;

@@ -2,6 +2,8 @@
 #include "gui/arm_pages/arm_words.hpp"
 
 #include <QCoreApplication>
+#include <QLocale>
+#include <numbers>
 
 namespace isograsp::gui {
 
@@ -44,6 +46,11 @@ QString sight_words(FrameState state) {
     case FrameState::missing: return ArmTexts::tr("not seen");
   }
   return {};
+}
+
+QString in_degrees(double angle_rad) {
+  constexpr double kDegreesPerRad = 180.0 / std::numbers::pi;
+  return QLocale().toString(kDegreesPerRad * angle_rad, 'f', 0);
 }
 
 }  // namespace isograsp::gui

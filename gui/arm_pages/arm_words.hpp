@@ -15,5 +15,7 @@ namespace isograsp::gui {
 [[nodiscard]] QString link_title(ArmLink link);
 /// "seen", "too few markers".
 [[nodiscard]] QString sight_words(FrameState state);
+/// "23": whole degrees, in the language that is set.
+[[nodiscard]] QString in_degrees(double angle_rad);
 
 }  // namespace isograsp::gui

@@ -51,8 +51,11 @@ void HandPanel::make_head() {
   column_->removeWidget(title_);
   top->addWidget(title_, 1);
   top->addWidget(camera_);
+  check_ = new PictureCheckView(presenter_, PictureCheckView::Moves::hand, this);
+  top->addWidget(check_->button());
   top->addWidget(let_go_);
   column_->insertLayout(0, top);
+  column_->addWidget(check_->words());
   connect(let_go_, &QPushButton::clicked, this, [this] { presenter_.trials().let_go(); });
   tracker_ = new QLabel;
   tracker_->setObjectName("tracker_rate");
@@ -70,6 +73,7 @@ void HandPanel::make_head() {
 void HandPanel::refresh_part() {
   show_part(*this, presenter_.state().measures_hand());
   let_go_->setEnabled(presenter_.flow().view().may_let_go);
+  check_->refresh();
   if (!presenter_.state().open) show_no_hand();
 }
 

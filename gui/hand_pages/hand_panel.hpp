@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "gui/arm_pages/picture_check_view.hpp"
 #include "gui/hand_pages/grasp_view.hpp"
 #include "gui/look/card.hpp"
 #include "gui/presenter/session_presenter.hpp"
@@ -29,6 +30,7 @@ class HandPanel final : public Card {
   void show_task(const OpenSession& open, const std::optional<GraspLive>& live);
 
   SessionPresenter& presenter_;
+  PictureCheckView* check_;
   QPushButton* let_go_;
   QLabel* camera_;
   QLabel* tracker_;

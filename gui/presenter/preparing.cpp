@@ -58,7 +58,7 @@ void Preparing::take(const session::PreparationOutcome& zero) {
 
 void Preparing::check_picture() {
   auto& open = state_.open;
-  if (!open || open->arm_space == nullptr) return;
+  if (!open) return;
   if (open->picture_check.running())
     open->picture_check.stop();
   else if (flow_.view().may_watch_picture)
@@ -70,9 +70,9 @@ void Preparing::check_picture() {
 void Preparing::look_at_picture() {
   OpenSession& open = *state_.open;
   PictureCheck& check = open.picture_check;
-  if (!open.arm || !check.running()) return;
+  if (!check.running()) return;
   if (!flow_.view().may_watch_picture) check.stop();  // a trial begins, or the cameras fail
-  if (!check.add(*open.arm, *open.arm_space)) return;
+  if (!check.add(open.moved_on_screen(), open.time_s())) return;
   if (check.over()) {
     std::vector<storage::SessionAnswer> answers;
     for (std::size_t k = 0; k < PictureCheck::kWays; ++k) {

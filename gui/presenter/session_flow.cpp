@@ -36,10 +36,11 @@ ProtocolFacts protocol_facts(const ProtocolGuide& guide, bool by_itself, double 
   return facts;
 }
 
-/// It is done by what the picture of an arm shows: the object goes to its reference.
+/// It is done by what the picture shows: an object goes to its target.
 bool by_picture(const tasks::TaskSpec& spec) {
   return spec.kind.get_if<tasks::PoseMatchingSpec>() != nullptr ||
-         spec.kind.get_if<tasks::PoseFollowingSpec>() != nullptr;
+         spec.kind.get_if<tasks::PoseFollowingSpec>() != nullptr ||
+         spec.kind.get_if<tasks::VirtualPickPlaceSpec>() != nullptr;
 }
 
 void add_camera_facts(const session::ArmSnapshot& now, FlowFacts& facts) {
@@ -136,9 +137,9 @@ void SessionFlow::add_session_facts(const OpenSession& open, FlowFacts& facts) c
   facts.at_rest = open.trial && open.trial->rest_watch.at_rest();
   facts.health = now.health;
   if (open.arm) add_camera_facts(*open.arm, facts);
-  // The picture of an arm in software is made by the same hand as its rig, and nobody can move it.
-  facts.picture_unsure = open.arm_space != nullptr && !state_.simulated() && !state_.recorded() &&
-                         !open.picture_check.good();
+  // People in software and their cameras are of one make, and nobody can move them.
+  facts.picture_unsure =
+      facts.is_seen() && !state_.simulated() && !state_.recorded() && !open.picture_check.good();
   facts.picture_watched = open.picture_check.running();
   if (open.hand) add_tracker_facts(*open.hand, facts);
   facts.asks_zero =

@@ -48,6 +48,17 @@ void OpenSession::look() {
   traces.turns.add(*arm);
 }
 
+std::optional<Vec3> OpenSession::moved_on_screen() const {
+  if (hand) {
+    if (hand->hand.held || !hand->pose) return std::nullopt;
+    return hand->pose->pose.X_WP.p;  // the tracker's axes are those of the screen
+  }
+  if (!arm || !arm_space) return std::nullopt;
+  const FramePose& object = arm->segment(ArmSegment::object);
+  if (!has_pose(object.state)) return std::nullopt;
+  return arm_space->place(object.X_W.p, Vec3::Zero());
+}
+
 bool SessionState::measures_arm() const noexcept {
   return open ? open->arm_space != nullptr : choices.apparatus == kArm;
 }

@@ -206,6 +206,9 @@ struct OpenSession {
   std::optional<EndedTrial> ended;
 
   [[nodiscard]] double time_s() const noexcept { return snapshot.session_time_s; }
+  /// Where the object of an arm, or a tracked hand, is drawn, from a point that stays; nothing: it
+  /// is not seen.
+  [[nodiscard]] std::optional<Vec3> moved_on_screen() const;
   /// A trial was asked for, and no frame of it has come.
   [[nodiscard]] bool starting() const noexcept { return trial && !trial->arrived; }
 };

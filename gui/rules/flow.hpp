@@ -72,7 +72,7 @@ struct FlowFacts {
   /// is said here of a zero is said of that. A recording asks for it, too.
   bool start_posture = false;
   MarkerFault camera_fault = MarkerFault::none;
-  /// Nobody has seen yet that the picture of a live arm moves as the arm does (PictureCheck).
+  /// Nobody has seen yet that the picture moves as a live arm or hand does (PictureCheck).
   bool picture_unsure = false;
   bool picture_watched = false;  ///< it is being looked at
   bool task_in_picture = false;  ///< the task is done by what that picture shows
@@ -187,7 +187,7 @@ enum class Situation : std::uint8_t {
   next_by_itself,
   next_after_rest,
   next_act,
-  check_picture,  ///< before the first trial that is done by the picture of a live arm
+  check_picture,  ///< before the first trial that is done by the picture of a live arm or hand
   no_act,         ///< the protocol's next task cannot be made
   recording_ready,
   first_maximum,
@@ -239,7 +239,7 @@ struct FlowView {
   bool may_accept_changed = false;  ///< the refused zero may be repeated as "serviced or remounted"
   bool may_check = false;           ///< the supports, with the hand out
   bool may_strap = false;
-  bool may_watch_picture = false;  ///< whether it moves as the arm does
+  bool may_watch_picture = false;  ///< whether it moves as the arm or hand does
   bool may_choose_task = false;
   bool may_show_how = false;  ///< the patient may watch how the chosen task is done
   Text not_shown;             ///< why nobody can show it on a screen; empty: it can be shown

@@ -81,7 +81,7 @@ void decide_between_trials(const FlowFacts& facts, bool sound, FlowView& view) {
   view.may_accept_changed = view.may_zero && facts.zero_only_changed;
   view.may_check = view.may_zero && !facts.is_seen();
   view.may_strap = live && facts.asks_rest && zero && (!facts.strapped || facts.straps_due);
-  view.may_watch_picture = live && facts.start_posture;
+  view.may_watch_picture = live && facts.is_seen();
   view.may_choose_task = !in_trial(facts) && !facts.starting && !facts.zero_asked;
   view.may_show_how = view.may_choose_task && facts.task_chosen && facts.task_not_shown.empty() &&
                       !facts.recorded && facts.connection != Connection::opening &&

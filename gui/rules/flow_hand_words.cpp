@@ -68,6 +68,11 @@ QString hand_words(Situation situation, const FlowFacts& facts) {
     case Situation::protocol_zero:
       return FlowHandTexts::tr(
           "The hand lies on the table before the tracker: begin the entry test.");
+    case Situation::check_picture:
+      return facts.picture_watched
+                 ? FlowHandTexts::tr("The hand is moved as Live hand says.")
+                 : FlowHandTexts::tr(
+                       "Before the first object: check that the picture moves as the hand does.");
     default: return {};
   }
 }
@@ -82,6 +87,8 @@ QString hand_hint(const FlowFacts& facts, Obstacle obstacle) {
                  : FlowHandTexts::tr("No virtual objects for this hand: its entry test says so.");
     case Obstacle::zeroing: return FlowHandTexts::tr("Wait until the entry test is over.");
     case Obstacle::zero_again: return FlowHandTexts::tr("Do the entry test first.");
+    case Obstacle::picture_unsure:
+      return FlowHandTexts::tr("Check the picture first, in Live hand.");
     default: return {};
   }
 }

@@ -16,7 +16,7 @@ namespace isograsp::gui {
 [[nodiscard]] bool has_zero(const FlowFacts& facts);
 /// What is chosen is nothing with virtual objects: it is measured of a hand without its entry test.
 [[nodiscard]] bool may_do_without_entry(const FlowFacts& facts);
-/// What is chosen is done by a picture of which nobody knows whether it moves as the arm does.
+/// What is chosen is done by a picture of which nobody knows whether it moves as it should.
 [[nodiscard]] bool picture_due(const FlowFacts& facts);
 /// A trial that the therapist has paused goes on as it stands. After a fault, or the restart of a
 /// sensor during that pause: from rest only, and with a zero that has not moved; before cameras: as

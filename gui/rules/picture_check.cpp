@@ -49,20 +49,18 @@ bool PictureCheck::good() const noexcept {
                      [](const auto& off) { return off && *off <= kMostOff_rad; });
 }
 
-bool PictureCheck::add(const session::ArmSnapshot& now, const ArmSpace& space) {
-  const FramePose& object = now.segment(ArmSegment::object);
-  if (!running() || !has_pose(object.state)) return false;
-  const Vec3 p_S = space.place(object.X_W.p, Vec3::Zero());
+bool PictureCheck::add(const std::optional<Vec3>& p_S, double time_s) {
+  if (!running() || !p_S) return false;
   if (!from_S_) {
-    if (!rests_S_ || (p_S - *rests_S_).norm() > kRestsWithin_m) {
+    if (!rests_S_ || (*p_S - *rests_S_).norm() > kRestsWithin_m) {
       rests_S_ = p_S;
-      since_s_ = now.session_time_s;
+      since_s_ = time_s;
     }
-    if (now.session_time_s - since_s_ < kRestsFor_s) return false;
+    if (time_s - since_s_ < kRestsFor_s) return false;
     from_S_ = rests_S_;
     return true;
   }
-  const Vec3 gone_S = p_S - *from_S_;
+  const Vec3 gone_S = *p_S - *from_S_;
   const double way_m = gone_S.norm();
   if (way_m < kLeastWay_m) return false;
   const double along = gone_S.dot(direction_on_screen(static_cast<Way>(next_))) / way_m;

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether the picture of an arm moves as the arm does: the therapist moves the object to the right,
-// up and away from whoever looks, one after the other, from rest to rest; in the picture it must
-// have gone there within 15 degrees. A rig whose [view] names other axes shows here. Pure but for
-// what was seen last.
+// Whether the picture moves as what cameras or a tracker see: an arm's object, or a hand, is moved
+// to the right, up and away from whoever looks, one after the other, from rest to rest; in the
+// picture it must have gone there within 15 degrees. A rig whose [view] names other axes, or a
+// tracker that stands another way than its program says, shows here. Pure but for what was seen
+// last.
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
+#include <string_view>
 
-#include "gui/picture/arm_space.hpp"
-#include "session/arm/arm_snapshot.hpp"
+#include "core/spatial.hpp"
 
 namespace isograsp::gui {
 
@@ -35,8 +37,9 @@ class PictureCheck {
   }
   [[nodiscard]] bool good() const noexcept;
 
-  /// True: what is said of it changes.
-  bool add(const session::ArmSnapshot& now, const ArmSpace& space);
+  /// Where it is drawn (x right, y up, z to whoever looks); not seen: nothing. True: what is said
+  /// of the check changes.
+  bool add(const std::optional<Vec3>& p_S, double time_s);
 
  private:
   std::size_t next_ = kWays;  ///< way; kWays: none

@@ -253,6 +253,18 @@
 <context>
     <name>Flow</name>
     <message>
+        <source>The hand is moved as Live hand says.</source>
+        <translation>Die Hand bewegt sich, wie „Hand, jetzt“ es sagt.</translation>
+    </message>
+    <message>
+        <source>Before the first object: check that the picture moves as the hand does.</source>
+        <translation>Vor dem ersten Gegenstand: prüfen, ob sich das Bild bewegt wie die Hand.</translation>
+    </message>
+    <message>
+        <source>Check the picture first, in Live hand.</source>
+        <translation>Zuerst das Bild prüfen, unter „Hand, jetzt“.</translation>
+    </message>
+    <message>
         <source>The object is moved as Live arm says, seen by the patient.</source>
         <translation>Der Gegenstand wird bewegt, wie „Arm jetzt“ es sagt, aus Sicht der Person.</translation>
     </message>
@@ -703,6 +715,10 @@
 </context>
 <context>
     <name>Hand</name>
+    <message>
+        <source>%1: let go as well, the object was placed</source>
+        <translation>%1: ebenfalls losgelassen, der Gegenstand war abgelegt</translation>
+    </message>
     <message>
         <source>%1: tied, this grasp holds (%2)</source>
         <translation>%1: verbunden, dieser Griff hält (%2)</translation>
@@ -2580,48 +2596,12 @@
         <translation>%1, %2 %</translation>
     </message>
     <message>
-        <source>Move the object 10 cm to the right, seen by the patient, and rest.</source>
-        <translation>Den Gegenstand 10 cm nach rechts, vom Patienten aus, dann ruhen.</translation>
-    </message>
-    <message>
-        <source>Move it 10 cm up, and rest.</source>
-        <translation>10 cm nach oben, dann ruhen.</translation>
-    </message>
-    <message>
-        <source>Move it 10 cm away, towards the screen, and rest.</source>
-        <translation>10 cm weg, zum Bildschirm hin, dann ruhen.</translation>
-    </message>
-    <message>
-        <source>Hold the object still where the cameras see it.</source>
-        <translation>Den Gegenstand stillhalten, wo die Kameras ihn sehen.</translation>
-    </message>
-    <message>
-        <source>✓ The picture moves as the object does.</source>
-        <translation>✓ Das Bild bewegt sich wie der Gegenstand.</translation>
-    </message>
-    <message>
-        <source>✗ In the picture it went %1° off. Once more; if it stays so, [view] of the rig names other axes: nothing begins that is done by this picture.</source>
-        <translation>✗ Im Bild ging er %1° daneben. Noch einmal; bleibt es so, nennt [view] des Markersatzes andere Achsen: Nach diesem Bild beginnt kein Versuch.</translation>
-    </message>
-    <message>
         <source>Live arm</source>
         <translation>Arm jetzt</translation>
     </message>
     <message>
         <source>Left arm: targets are those of a right one in the mirror; a screw turns the other way.</source>
         <translation>Linker Arm: Die Ziele sind die eines rechten im Spiegel; eine Schraube dreht anders herum.</translation>
-    </message>
-    <message>
-        <source>Stop the check</source>
-        <translation>Prüfung beenden</translation>
-    </message>
-    <message>
-        <source>Check the picture</source>
-        <translation>Bild prüfen</translation>
-    </message>
-    <message>
-        <source>You move the object to the right, up and away, towards the screen; the picture must do the same. Before the first trial (Tab, then space)</source>
-        <translation>Sie bewegen den Gegenstand nach rechts, nach oben und von sich weg zum Bildschirm; das Bild muss dasselbe tun. Vor dem ersten Versuch (Tab, dann Leertaste)</translation>
     </message>
     <message>
         <source>From the object to its target, beside what counts as there. Depth is along the line of sight: without a second picture for the other eye it is harder to see</source>
@@ -7114,6 +7094,73 @@ Neuester Wert %3.%4 Pfeiltasten gehen zum nächsten Bild, Eingabe oder ein Klick
     <message>
         <source>This arm has not worked with the cameras before. “%1” begins with %2 minutes of practice.</source>
         <translation>Dieser Arm hat noch nie mit den Kameras gearbeitet. „%1“ beginnt mit %2 Minuten Übung.</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::PictureCheckView</name>
+    <message>
+        <source>The hand is moved to the right, up and away, towards the screen; the picture must do the same. Before the first object (Tab, then space)</source>
+        <translation>Die Hand bewegt sich nach rechts, nach oben und weg, zum Bildschirm hin; das Bild muss dasselbe tun. Vor dem ersten Gegenstand (Tab, dann Leertaste)</translation>
+    </message>
+    <message>
+        <source>The hand moves 10 cm to the right, and rests.</source>
+        <translation>Die Hand bewegt sich 10 cm nach rechts und ruht.</translation>
+    </message>
+    <message>
+        <source>It moves 10 cm up, and rests.</source>
+        <translation>Sie bewegt sich 10 cm nach oben und ruht.</translation>
+    </message>
+    <message>
+        <source>It moves 10 cm away, towards the screen, and rests.</source>
+        <translation>Sie bewegt sich 10 cm weg, zum Bildschirm hin, und ruht.</translation>
+    </message>
+    <message>
+        <source>The hand is held still where the tracker sees it.</source>
+        <translation>Die Hand bleibt ruhig, wo die Handverfolgung sie sieht.</translation>
+    </message>
+    <message>
+        <source>✓ The picture moves as the hand does.</source>
+        <translation>✓ Das Bild bewegt sich wie die Hand.</translation>
+    </message>
+    <message>
+        <source>✗ In the picture it went %1° off. Once more; if it stays so, the tracker stands another way than its program says: no object comes.</source>
+        <translation>✗ Im Bild ging sie %1° daneben. Noch einmal; bleibt es so, steht die Handverfolgung anders, als ihr Programm sagt: Es kommt kein Gegenstand.</translation>
+    </message>
+    <message>
+        <source>Stop the check</source>
+        <translation>Prüfung beenden</translation>
+    </message>
+    <message>
+        <source>Check the picture</source>
+        <translation>Bild prüfen</translation>
+    </message>
+    <message>
+        <source>You move the object to the right, up and away, towards the screen; the picture must do the same. Before the first trial (Tab, then space)</source>
+        <translation>Sie bewegen den Gegenstand nach rechts, nach oben und von sich weg zum Bildschirm; das Bild muss dasselbe tun. Vor dem ersten Versuch (Tab, dann Leertaste)</translation>
+    </message>
+    <message>
+        <source>Move the object 10 cm to the right, seen by the patient, and rest.</source>
+        <translation>Den Gegenstand 10 cm nach rechts, vom Patienten aus, dann ruhen.</translation>
+    </message>
+    <message>
+        <source>Move it 10 cm up, and rest.</source>
+        <translation>10 cm nach oben, dann ruhen.</translation>
+    </message>
+    <message>
+        <source>Move it 10 cm away, towards the screen, and rest.</source>
+        <translation>10 cm weg, zum Bildschirm hin, dann ruhen.</translation>
+    </message>
+    <message>
+        <source>Hold the object still where the cameras see it.</source>
+        <translation>Den Gegenstand stillhalten, wo die Kameras ihn sehen.</translation>
+    </message>
+    <message>
+        <source>✓ The picture moves as the object does.</source>
+        <translation>✓ Das Bild bewegt sich wie der Gegenstand.</translation>
+    </message>
+    <message>
+        <source>✗ In the picture it went %1° off. Once more; if it stays so, [view] of the rig names other axes: nothing begins that is done by this picture.</source>
+        <translation>✗ Im Bild ging er %1° daneben. Noch einmal; bleibt es so, nennt [view] des Markersatzes andere Achsen: Nach diesem Bild beginnt kein Versuch.</translation>
     </message>
 </context>
 </TS>

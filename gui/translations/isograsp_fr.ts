@@ -253,6 +253,18 @@
 <context>
     <name>Flow</name>
     <message>
+        <source>The hand is moved as Live hand says.</source>
+        <translation>La main bouge comme l’indique « Main en direct ».</translation>
+    </message>
+    <message>
+        <source>Before the first object: check that the picture moves as the hand does.</source>
+        <translation>Avant le premier objet : contrôler que l’image bouge comme la main.</translation>
+    </message>
+    <message>
+        <source>Check the picture first, in Live hand.</source>
+        <translation>Contrôlez d’abord l’image, dans « Main en direct ».</translation>
+    </message>
+    <message>
         <source>The object is moved as Live arm says, seen by the patient.</source>
         <translation>L’objet est déplacé comme l’indique « Bras en direct », vu par la personne.</translation>
     </message>
@@ -703,6 +715,10 @@
 </context>
 <context>
     <name>Hand</name>
+    <message>
+        <source>%1: let go as well, the object was placed</source>
+        <translation>%1 : lâché également, l’objet était posé</translation>
+    </message>
     <message>
         <source>%1: tied, this grasp holds (%2)</source>
         <translation>%1 : lié, cette prise tient (%2)</translation>
@@ -2580,48 +2596,12 @@
         <translation>%1, %2 %</translation>
     </message>
     <message>
-        <source>Move the object 10 cm to the right, seen by the patient, and rest.</source>
-        <translation>Déplacez l’objet de 10 cm à droite, vu du patient, puis repos.</translation>
-    </message>
-    <message>
-        <source>Move it 10 cm up, and rest.</source>
-        <translation>De 10 cm vers le haut, puis repos.</translation>
-    </message>
-    <message>
-        <source>Move it 10 cm away, towards the screen, and rest.</source>
-        <translation>De 10 cm au loin, vers l’écran, puis repos.</translation>
-    </message>
-    <message>
-        <source>Hold the object still where the cameras see it.</source>
-        <translation>Gardez l’objet immobile, en vue des caméras.</translation>
-    </message>
-    <message>
-        <source>✓ The picture moves as the object does.</source>
-        <translation>✓ L’image bouge comme l’objet.</translation>
-    </message>
-    <message>
-        <source>✗ In the picture it went %1° off. Once more; if it stays so, [view] of the rig names other axes: nothing begins that is done by this picture.</source>
-        <translation>✗ Dans l’image, il a dévié de %1°. Recommencez&#xa0;; si cela persiste, [view] du jeu de marqueurs nomme d’autres axes&#xa0;: aucun essai guidé par cette image ne commence.</translation>
-    </message>
-    <message>
         <source>Live arm</source>
         <translation>Bras en direct</translation>
     </message>
     <message>
         <source>Left arm: targets are those of a right one in the mirror; a screw turns the other way.</source>
         <translation>Bras gauche&#xa0;: les cibles sont celles d’un bras droit dans un miroir&#xa0;; une vis tourne dans l’autre sens.</translation>
-    </message>
-    <message>
-        <source>Stop the check</source>
-        <translation>Arrêter le contrôle</translation>
-    </message>
-    <message>
-        <source>Check the picture</source>
-        <translation>Contrôler l’image</translation>
-    </message>
-    <message>
-        <source>You move the object to the right, up and away, towards the screen; the picture must do the same. Before the first trial (Tab, then space)</source>
-        <translation>Vous déplacez l’objet à droite, en haut et au loin vers l’écran&#xa0;; l’image doit faire de même. Avant le premier essai (Tab, puis Espace)</translation>
     </message>
     <message>
         <source>From the object to its target, beside what counts as there. Depth is along the line of sight: without a second picture for the other eye it is harder to see</source>
@@ -7114,6 +7094,73 @@ Dernière valeur %3.%4 Les flèches passent à l’image suivante, Entrée ou un
     <message>
         <source>This arm has not worked with the cameras before. “%1” begins with %2 minutes of practice.</source>
         <translation>Ce bras n’a pas encore travaillé avec les caméras. « %1 » commence par %2 minutes d’entraînement.</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::PictureCheckView</name>
+    <message>
+        <source>The hand is moved to the right, up and away, towards the screen; the picture must do the same. Before the first object (Tab, then space)</source>
+        <translation>La main se déplace vers la droite, vers le haut et s’éloigne, vers l’écran ; l’image doit faire de même. Avant le premier objet (Tab, puis espace)</translation>
+    </message>
+    <message>
+        <source>The hand moves 10 cm to the right, and rests.</source>
+        <translation>La main se déplace de 10 cm vers la droite, puis reste immobile.</translation>
+    </message>
+    <message>
+        <source>It moves 10 cm up, and rests.</source>
+        <translation>Elle se déplace de 10 cm vers le haut, puis reste immobile.</translation>
+    </message>
+    <message>
+        <source>It moves 10 cm away, towards the screen, and rests.</source>
+        <translation>Elle s’éloigne de 10 cm, vers l’écran, puis reste immobile.</translation>
+    </message>
+    <message>
+        <source>The hand is held still where the tracker sees it.</source>
+        <translation>La main reste immobile, là où le suivi de la main la voit.</translation>
+    </message>
+    <message>
+        <source>✓ The picture moves as the hand does.</source>
+        <translation>✓ L’image bouge comme la main.</translation>
+    </message>
+    <message>
+        <source>✗ In the picture it went %1° off. Once more; if it stays so, the tracker stands another way than its program says: no object comes.</source>
+        <translation>✗ Dans l’image, elle a dévié de %1°. Recommencez ; si cela persiste, le suivi de la main est orienté autrement que ne le dit son programme : aucun objet ne vient.</translation>
+    </message>
+    <message>
+        <source>Stop the check</source>
+        <translation>Arrêter le contrôle</translation>
+    </message>
+    <message>
+        <source>Check the picture</source>
+        <translation>Contrôler l’image</translation>
+    </message>
+    <message>
+        <source>You move the object to the right, up and away, towards the screen; the picture must do the same. Before the first trial (Tab, then space)</source>
+        <translation>Vous déplacez l’objet à droite, en haut et au loin vers l’écran&#xa0;; l’image doit faire de même. Avant le premier essai (Tab, puis Espace)</translation>
+    </message>
+    <message>
+        <source>Move the object 10 cm to the right, seen by the patient, and rest.</source>
+        <translation>Déplacez l’objet de 10 cm à droite, vu du patient, puis repos.</translation>
+    </message>
+    <message>
+        <source>Move it 10 cm up, and rest.</source>
+        <translation>De 10 cm vers le haut, puis repos.</translation>
+    </message>
+    <message>
+        <source>Move it 10 cm away, towards the screen, and rest.</source>
+        <translation>De 10 cm au loin, vers l’écran, puis repos.</translation>
+    </message>
+    <message>
+        <source>Hold the object still where the cameras see it.</source>
+        <translation>Gardez l’objet immobile, en vue des caméras.</translation>
+    </message>
+    <message>
+        <source>✓ The picture moves as the object does.</source>
+        <translation>✓ L’image bouge comme l’objet.</translation>
+    </message>
+    <message>
+        <source>✗ In the picture it went %1° off. Once more; if it stays so, [view] of the rig names other axes: nothing begins that is done by this picture.</source>
+        <translation>✗ Dans l’image, il a dévié de %1°. Recommencez&#xa0;; si cela persiste, [view] du jeu de marqueurs nomme d’autres axes&#xa0;: aucun essai guidé par cette image ne commence.</translation>
     </message>
 </context>
 </TS>

@@ -37,6 +37,7 @@ struct GraspRows {
     placement = of.find(columns::placement);
     fails = of.find(columns::placement_fails);
     helped = of.find(columns::object_helped);
+    to_open = of.find(columns::let_go_asked);
   }
   [[nodiscard]] bool tied(std::size_t digit, std::size_t row) const {
     return value_at(signals, state[digit], row) == kTied;
@@ -49,7 +50,7 @@ struct GraspRows {
 
   const Signals& signals;
   std::array<Place, kDigitCount> state, pull;
-  Place limit, placement, fails, helped;
+  Place limit, placement, fails, helped, to_open;
   ChoicePlaces choice;
 };
 
@@ -60,7 +61,8 @@ What why_loose(const GraspRows& rows, std::size_t digit, std::size_t row) {
     return What::ended;
   if (rows.just_helped(row)) return What::helped;
   const double pull_N = value_at(rows.signals, rows.pull[digit], row);
-  return pull_N > value_at(rows.signals, rows.limit, row) ? What::pulled : What::alone;
+  if (pull_N > value_at(rows.signals, rows.limit, row)) return What::pulled;
+  return value_at(rows.signals, rows.to_open, row) > 0.0 ? What::placed : What::alone;
 }
 
 /// In that row, to no digit yet.
@@ -139,6 +141,7 @@ QString words_of(const GraspEvent& event) {
     case What::pulled:
       return GraspTexts::tr("%1: let go, pulled with %2 N > %3 N")
           .arg(who, newtons(event.pull_N), newtons(event.limit_N));
+    case What::placed: return GraspTexts::tr("%1: let go as well, the object was placed").arg(who);
     case What::alone: return GraspTexts::tr("%1: let go, what was left held nothing").arg(who);
     case What::helped: return GraspTexts::tr("%1: let go for the person").arg(who);
     case What::dropped: return GraspTexts::tr("The object was dropped");

@@ -17,6 +17,7 @@ struct GraspEvent {
     tied,     ///< a feasible grasp stood long enough
     pulled,   ///< the digit pulled harder than its tie holds
     alone,    ///< another one let go, and what was left is no grasp
+    placed,   ///< another one let go of what had been placed
     helped,   ///< the object was let go for the person
     dropped,  ///< nothing held the object any more
     ended     ///< the placement is over

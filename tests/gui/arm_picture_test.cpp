@@ -360,9 +360,7 @@ PictureCheck checked(const RigView& view, const std::array<Vec3, 3>& ways_W) {
   Vec3 p_W(0.3, 0.2, 1.0);
   constexpr int kFrames = 60;  // of a rest, and of a way
   const auto show = [&] {
-    session::ArmSnapshot now = frame(number++);
-    now.segments[index_of(ArmSegment::object)].X_W.p = p_W;
-    check.add(now, space);
+    check.add(space.place(p_W, Vec3::Zero()), 0.01 * static_cast<double>(number++));
   };
   for (const Vec3& way : ways_W) {
     for (int k = 0; k < kFrames; ++k) show();
@@ -391,16 +389,11 @@ TEST(PictureCheck, PassesWhereThePictureDoesTheSameAndShowsARigThatNamesOtherAxe
 }
 
 TEST(PictureCheck, AsksForNothingBeforeTheObjectRestsInSight) {
-  const ArmSpace space(setup_with({}, Hand::right), Hand::right);
   PictureCheck check;
   check.begin();
-  for (int k = 0; k < 200; ++k) {
-    session::ArmSnapshot now = frame(k);
-    now.segments[index_of(ArmSegment::object)] = {};
-    check.add(now, space);
-  }
+  for (int k = 0; k < 200; ++k) check.add(std::nullopt, 0.01 * k);
   EXPECT_FALSE(check.asked().has_value()) << "it is not seen";
-  for (int k = 200; k < 260; ++k) check.add(frame(k), space);
+  for (int k = 200; k < 260; ++k) check.add(Vec3(0.1, 0.2, 0.3), 0.01 * k);
   EXPECT_EQ(check.asked(), PictureCheck::Way::right);
   check.stop();
   EXPECT_FALSE(check.running());

@@ -49,6 +49,23 @@ TEST(HandFlow, TheEntryTestComesBeforeObjectsAndARecordingAsksForItToo) {
   }
 }
 
+TEST(HandFlow, NoObjectComesBeforeThePictureIsKnownToMoveAsTheHandDoes) {
+  FlowFacts facts = connected_tracker();
+  facts.zeroed = facts.picture_unsure = facts.task_in_picture = true;
+  const FlowView due = decide(facts);
+  EXPECT_EQ(due.situation, Situation::check_picture);
+  EXPECT_EQ(due.press, NextPress::picture);
+  EXPECT_FALSE(due.may_start);
+  EXPECT_EQ(due.sentence,
+            "Before the first object: check that the picture moves as the hand does.");
+  EXPECT_EQ(due.start_hint, "Check the picture first, in Live hand.");
+  facts.task_in_picture = false;
+  EXPECT_TRUE(decide(facts).may_start) << "opening the hand needs no picture";
+  facts.task_in_picture = true;
+  facts.picture_unsure = false;
+  EXPECT_TRUE(decide(facts).may_start);
+}
+
 TEST(HandFlow, WithoutThatTestAHandMayOpenAndCloseButHasNoObjects) {
   FlowFacts facts = connected_tracker();
   EXPECT_FALSE(decide(facts).may_start);

@@ -177,6 +177,7 @@ TEST(HandReplay, EachReasonIsToldFromTheRowsAlone) {
     int thumb, index;  ///< states
     double thumb_pull_N, index_pull_N;
     int placement, fails, helped;
+    int to_open = 0;
   };
   constexpr double kLimit_N = 1.0;
   const auto story_of = [](std::initializer_list<Row> rows) {
@@ -184,14 +185,14 @@ TEST(HandReplay, EachReasonIsToldFromTheRowsAlone) {
     for (const Column& column :
          {columns::grasp_state[0], columns::grasp_state[1], columns::pull_N[0], columns::pull_N[1],
           columns::release_pull_N, columns::placement, columns::placement_fails,
-          columns::object_helped})
+          columns::object_helped, columns::let_go_asked})
       names.emplace_back(column);
     Signals signals(std::move(names));
     double t_s = 0.0;
     for (const Row& row : rows)
       signals.append_row(std::array{t_s += 0.01, 1.0 * row.thumb, 1.0 * row.index, row.thumb_pull_N,
                                     row.index_pull_N, kLimit_N, 1.0 * row.placement,
-                                    1.0 * row.fails, 1.0 * row.helped});
+                                    1.0 * row.fails, 1.0 * row.helped, 1.0 * row.to_open});
     return grasp_story(signals);
   };
   const Row held{2, 2, 0.1, 0.1, 0, 0, 0};
@@ -203,6 +204,10 @@ TEST(HandReplay, EachReasonIsToldFromTheRowsAlone) {
   EXPECT_EQ(pulled[0].limit_N, kLimit_N);
   EXPECT_EQ(pulled[1].what, What::alone);
   EXPECT_EQ(pulled[1].digits, 2U);
+  const auto placed = story_of({held, {3, 3, 1.5, 0.2, 0, 0, 0, 1}});
+  ASSERT_EQ(placed.size(), 2U);
+  EXPECT_EQ(placed[0].what, What::pulled);
+  EXPECT_EQ(placed[1].what, What::placed) << "what was left would have held";
   const auto tied = story_of({{1, 1, 0, 0, 0, 0, 0}, held});
   ASSERT_EQ(tied.size(), 1U) << "both in one line";
   EXPECT_EQ(tied[0].what, What::tied);

@@ -242,6 +242,27 @@ TEST(AssistedGrasp, FingersOfOneSideDoNotKeepWhatTheThumbHasLetGo) {
   }
 }
 
+TEST(AssistedGrasp, OnceAnObjectIsPlacedTheFirstDigitThatOpensTakesTheOthersWithIt) {
+  for (const bool placed : {false, true}) {
+    Hold hold(kTripod);
+    hold.place();
+    hold.lift();
+    ASSERT_EQ(hold.attached(), 3);
+    if (placed) hold.grasp().release();
+    AtLeast opened(1);
+    for (int k = 0; k < 60; ++k) {  // the middle finger alone
+      HandFrame frame = hold.frame_of(kPress_m, Hold::kUp);
+      const HandFrame open = hold.frame_of(-0.02, Hold::kUp);
+      for (std::size_t end = 1; end <= kLinkCount; ++end)
+        frame.joints[joint_of(Digit::middle, end)] = open.joints[joint_of(Digit::middle, end)];
+      hold.grasp().frame(frame, false);
+      if (hold.state().digits[2].state == DigitState::attached) continue;
+      ++opened;
+      EXPECT_EQ(hold.attached(), placed ? 0 : 2) << k;
+    }
+  }
+}
+
 TEST(AssistedGrasp, FingersThatOpenTogetherAreFreeInOneFrame) {
   Hold hold(kTripod);
   hold.place();

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The hold of bench/hold_scene.hpp by the whole virtual hand, in the steps of a session.
-#include <cstdlib>
-#include <memory>
-
+#include "bench/default_hand.hpp"
 #include "bench/hold_scene.hpp"
-#include "core/files.hpp"
 #include "hand_world/world.hpp"
 
 namespace isograsp {
@@ -14,17 +11,6 @@ namespace {
 using namespace bench;
 using namespace hand_world;
 using namespace virtual_hand;
-
-HandModel default_hand() {
-  const std::string file = std::string(ISOGRASP_SOURCE_DIR) + "/library/hands/default.toml";
-  const auto text = read_text(file);
-  const auto hand = text ? parse_hand(*text, file) : Result<HandModel>(text.error());
-  if (!hand) {
-    std::fprintf(stderr, "%s\n", hand.error().message().c_str());
-    std::exit(1);
-  }
-  return *hand;
-}
 
 /// A hand whose first `digits` are led into the box from both sides.
 class Grip {

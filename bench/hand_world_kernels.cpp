@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "core/files.hpp"
+#include "bench/default_hand.hpp"
 #include "hand_world/world.hpp"
 
 namespace isograsp {
@@ -26,21 +26,10 @@ using namespace virtual_hand;
 constexpr double kStep_s = 0.001;
 constexpr int kSteps = 10000;
 
-HandModel default_hand() {
-  const std::string file = std::string(ISOGRASP_SOURCE_DIR) + "/library/hands/default.toml";
-  const auto text = read_text(file);
-  const auto hand = text ? parse_hand(*text, file) : Result<HandModel>(text.error());
-  if (!hand) {
-    std::fprintf(stderr, "%s\n", hand.error().message().c_str());
-    std::exit(1);
-  }
-  return *hand;
-}
-
 /// A hand around a box of 60 g: the first `count` digits press it.
 struct Lift {
   explicit Lift(std::size_t count) {
-    const HandModel model = default_hand();
+    const HandModel model = bench::default_hand();
     HandPose pose;
     pose.X_WP.p = {0.0, 0.25, 0.1};
     pose.angles[0] = {0.5, 0.3, 0.3, 0.3};

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
-#include <memory>
 #include <string>
 #include <vector>
 

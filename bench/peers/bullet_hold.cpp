@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The hold of bench/hold_scene.hpp in Bullet (double precision): its world with a sequential
 // impulse solver, spinning friction for the torsion of a pad.
+#include <memory>
+
 #include <btBulletDynamicsCommon.h>
 
 #include "bench/hold_scene.hpp"
@@ -34,7 +36,10 @@ void hold(int digits, int iterations, int substeps) {
     body->setWorldTransform(btTransform(btQuaternion::getIdentity(), vector_of(p)));
     body->setActivationState(DISABLE_DEACTIVATION);
     body->setFriction(std::sqrt(kFriction));  // those of both bodies are multiplied
-    body->setSpinningFriction(std::sqrt(kFriction * kTorsion_m));
+    // Of both, each is multiplied with the other's friction and added; without rolling friction the
+    // engine leaves spinning friction out, too.
+    body->setSpinningFriction(0.5 * std::sqrt(kFriction) * kTorsion_m);
+    body->setRollingFriction(0.5 * std::sqrt(kFriction) * kTorsion_m);
     world.addRigidBody(body.get());
     body->setGravity({0, 0, 0});
     return body;

@@ -243,7 +243,6 @@ def measure_hand(build, out, pin, described):
         digits(statistics.median(map(float, values))) if values[0] else ""
         for values in list(zip(*cases))[1:]])) for cases in zip(*rounds)]
     write_csv(out / "hand_world.csv", columns, rows)
-    measure_hold(build, out, pin)
     (out / "hand_world.json").write_text(json.dumps({**described, "load": load}, indent=2) + "\n")
 
 
@@ -267,7 +266,8 @@ def main():
         measure_scoring(build, out, pin, machine(options.source, build, core, False, ""))
         return
     if options.hand:
-        measure_hand(build, out, pin, machine(options.source, build, core, False, ""))
+        measure_hand(build, out, pin, machine(options.source, build, core, True, ""))
+        measure_hold(build, out, pin)
         return
     if options.markers:
         measure_markers(build, out, pin, machine(options.source, build, core, False, ""))
@@ -331,6 +331,8 @@ def main():
     measure_scoring(build, out, pin, described)
     measure_markers(build, out, pin, described)
     measure_hand(build, out, pin, described)
+    if options.peers:  # else the table keeps what was measured beside them
+        measure_hold(build, out, pin)
 
 
 if __name__ == "__main__":

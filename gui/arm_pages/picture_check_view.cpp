@@ -66,8 +66,7 @@ QString PictureCheckView::words_of(const PictureCheck& check) const {
   double most_rad = 0.0;
   for (const auto& off_rad : check.off_rad()) most_rad = std::max(most_rad, *off_rad);
   return (hand ? tr("✗ In the picture it went %1° off. Once more; if it stays so, the tracker "
-                    "stands "
-                    "another way than its program says: no object comes.")
+                    "stands another way than its program says: no object comes.")
                : tr("✗ In the picture it went %1° off. Once more; if it stays so, [view] of the "
                     "rig names other axes: nothing begins that is done by this picture."))
       .arg(in_degrees(most_rad));

@@ -350,17 +350,19 @@ TEST(StillWatch, NamesWhatIsNotInSightAndBeginsAnewAfterIt) {
   EXPECT_EQ(watch.state(), StillWatch::State::moving) << "a second has to pass again";
 }
 
-/// Moves the object of a right arm before cameras with that view: three ways of 10 cm, on the axes
-/// of the cameras, from rest to rest.
-PictureCheck checked(const RigView& view, const std::array<Vec3, 3>& ways_W) {
-  const ArmSpace space(setup_with(view, Hand::right), Hand::right);
+/// Moves the object of an arm before cameras with that view: three ways of 10 cm, on the axes of
+/// the cameras, from rest to rest. Poses of a left arm are those of its reflection.
+PictureCheck checked(const RigView& view, const std::array<Vec3, 3>& ways_W,
+                     Hand hand = Hand::right) {
+  const ArmSpace space(setup_with(view, hand), hand);
   PictureCheck check;
   check.begin();
   std::int64_t number = 0;
   Vec3 p_W(0.3, 0.2, 1.0);
   constexpr int kFrames = 60;  // of a rest, and of a way
   const auto show = [&] {
-    check.add(space.place(p_W, Vec3::Zero()), 0.01 * static_cast<double>(number++));
+    const Vec3 reflected_W(hand == Hand::left ? -p_W.x() : p_W.x(), p_W.y(), p_W.z());
+    check.add(space.place(reflected_W, Vec3::Zero()), 0.01 * static_cast<double>(number++));
   };
   for (const Vec3& way : ways_W) {
     for (int k = 0; k < kFrames; ++k) show();
@@ -382,6 +384,8 @@ TEST(PictureCheck, PassesWhereThePictureDoesTheSameAndShowsARigThatNamesOtherAxe
     EXPECT_TRUE(other.over()) << view.right << view.up;
     EXPECT_FALSE(other.good()) << view.right << view.up;
   }
+  EXPECT_TRUE(checked({"x", "y"}, ways, Hand::left).good());
+  EXPECT_FALSE(checked({"-x", "y"}, ways, Hand::left).good());
   const Vec3 slanted = Vec3(1.0, std::tan(0.2), 0.0).normalized();
   EXPECT_TRUE(checked({"x", "y"}, {slanted, ways[1], ways[2]}).good());
   const Vec3 too_slanted = Vec3(1.0, std::tan(0.35), 0.0).normalized();

@@ -1,12 +1,100 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program that a clinic starts opens its windows, and leaves without a crash, from wherever it
 // is told to close: a real X server, a window manager, a mouse, and the executable itself.
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <sstream>
+#include <utility>
+
+#include "tests/support/background_command.hpp"
+#include "tests/support/free_port.hpp"
 #include "tests/windows/clinic_desk.hpp"
 
 namespace isograsp::close_test {
 namespace {
 
-class Leaving : public test::ClinicDesk {};
+/// Cameras in another program, until this goes.
+class Cameras {
+ public:
+  Cameras(const std::string& play, const std::string& port, std::string pid)
+      : pid_(std::move(pid)),
+        command_("sh -c 'echo $$ > " + pid_ +
+                 "; exec \"" ISOGRASP_EXECUTABLE
+                 "\" emulate --protocol qtm-rt --loop --on 127.0.0.1:" +
+                 port + " --play " + play + "'") {}
+  ~Cameras() {
+    static_cast<void>(test::run("kill -INT $(cat " + pid_ + ")"));
+    command_.wait_for_end();
+  }
+  Cameras(const Cameras&) = delete;
+  Cameras& operator=(const Cameras&) = delete;
+  [[nodiscard]] const test::BackgroundCommand& command() const { return command_; }
+
+ private:
+  std::string pid_;
+  test::BackgroundCommand command_;
+};
+
+class Leaving : public test::ClinicDesk {
+ protected:
+  /// A recording of cameras, made by the program and changed here: an arm that lies still while its
+  /// object is moved to the right, up and away, from rest to rest.
+  std::string moved_object();
+};
+
+std::vector<std::string> fields_of(const std::string& line) {
+  std::vector<std::string> fields;
+  std::string field;
+  for (std::istringstream in(line); std::getline(in, field, ',');) fields.push_back(field);
+  return fields;
+}
+
+std::string Leaving::moved_object() {
+  const std::string protocol = desktop_.folder().write(
+      "library/protocols/one_range.toml",
+      "format = \"isograsp-protocol-1\"\nname = \"One range\"\n[[step]]\nkind = "
+      "\"start_posture\"\n[[step]]\nkind = \"task\"\ntask = \"arm_range_forearm.toml\"\n");
+  const std::string other = desktop_.folder().path("other.db"), out = desktop_.folder().path("ex");
+  const auto done = test::isograsp("run --device 'sim://arm?seed=5' --protocol-file " + protocol +
+                                   " --db " + other + " --patient A-1 --fast");
+  EXPECT_EQ(done.status, 0) << done.err;
+  EXPECT_EQ(test::isograsp("export --db " + other + " --format csv --out " + out).status, 0);
+  std::ifstream signals(out + "/patient_1/session_1/trial_1_signals.csv");
+  std::string head, first;
+  std::getline(signals, head);
+  std::getline(signals, first);
+  const auto names = fields_of(head), values = fields_of(first);
+  const std::string mark = "marker_";
+  std::ostringstream csv;
+  csv << "t_s";
+  for (const std::string& name : names)
+    if (name.rfind(mark, 0) == 0) csv << ',' << name.substr(mark.size());
+  constexpr double kRate_Hz = 100.0, kWay_m = 0.13;
+  constexpr int kRest = 120, kMove = 60;  // rows
+  std::array<double, 3> moved_m{};
+  int row = 0;
+  const auto show = [&](int rows, std::size_t axis, double way_m) {
+    for (int k = 0; k < rows; ++k) {
+      moved_m[axis] += way_m / rows;
+      csv << '\n' << row++ / kRate_Hz;
+      for (std::size_t i = 0; i < names.size(); ++i) {
+        if (names[i].rfind(mark, 0) != 0) continue;
+        const bool of_object = names[i][mark.size()] == 'O';
+        const auto along = static_cast<std::size_t>(names[i][names[i].size() - 3] - 'x');  // _x_m
+        csv << ',';
+        if (i < values.size() && !values[i].empty())  // it is seen
+          csv << std::stod(values[i]) + (of_object ? moved_m[along] : 0.0);
+      }
+    }
+  };
+  for (const auto& [axis, way_m] : {std::pair{std::size_t{0}, kWay_m}, {1, kWay_m}, {2, -kWay_m}}) {
+    show(kRest, axis, 0.0);
+    show(kMove, axis, way_m);
+  }
+  show(kRest, 0, 0.0);
+  return desktop_.folder().write("moved.csv", csv.str() + '\n');
+}
 
 TEST_F(Leaving, AnEmptyClinicEndsWithStatusZero) {
   start();
@@ -78,6 +166,42 @@ TEST_F(Leaving, WithBothWindowsOpenEndsWithStatusZero) {
   ASSERT_TRUE(desktop_.click("patient_screen"));
   expect_clean_end();
   EXPECT_EQ(stored("SELECT count(*), sum(ended_utc <> '') FROM sessions"), "1|1\n");
+}
+
+TEST_F(Leaving, ATargetOfLiveCamerasComesBehindTheCheckOfThePicture) {
+  const std::string port = std::to_string(test::free_port());
+  const Cameras cameras(moved_object(), port, desktop_.folder().path("cameras.pid"));
+  ASSERT_TRUE(cameras.command().wait_until(
+      [&] { return cameras.command().err().find(port) != std::string::npos; }));
+  desktop_.start(
+      {"gui", "--db", database(), "--device", "qtm://127.0.0.1:" + port + "?rig=kurillo15_trunk"});
+  ASSERT_TRUE(desktop_.click("add_patient"));
+  ASSERT_TRUE(desktop_.click("hand_right"));
+  ASSERT_TRUE(desktop_.click("arm_screening_clear"));
+  ASSERT_TRUE(desktop_.click("connect"));
+  ASSERT_TRUE(desktop_.click("start_posture"));
+  ASSERT_TRUE(desktop_.click("by_hand"));
+  ASSERT_TRUE(desktop_.choose("tasks", "Turn an object, first try"));
+  ASSERT_TRUE(wait_for_words("check that the picture moves"));
+  EXPECT_FALSE(desktop_.widget("start")->enabled) << desktop_.seen();
+  // Three ways and the way back are four: whenever it is asked for, it begins with the first one in
+  // the end.
+  constexpr int kTries = 5;
+  const auto says = [&](const char* sign) {
+    return words_on("picture_check_words").rfind(sign, 0) == 0;
+  };
+  for (int k = 0; k < kTries && !says("✓"); ++k) {
+    ASSERT_TRUE(desktop_.click("picture_check"));
+    ASSERT_TRUE(desktop_.wait_until([&] { return !says("✓") && !says("✗"); }));
+    ASSERT_TRUE(desktop_.wait_until([&] { return says("✓") || says("✗"); }));
+  }
+  ASSERT_TRUE(says("✓")) << words_on("picture_check_words");
+  ASSERT_TRUE(desktop_.click("start"));
+  ASSERT_TRUE(desktop_.wait_for_press("stop")) << desktop_.seen();
+  expect_clean_end();
+  EXPECT_EQ(stored("SELECT count(*), sum(ended_utc <> '') FROM sessions"), "1|1\n");
+  EXPECT_EQ(stored("SELECT status FROM trials"), "aborted\n");
+  expect_sound();
 }
 
 TEST_F(Leaving, AStoredTrialOfATrackedHandIsPlayedAndEndsWithStatusZero) {

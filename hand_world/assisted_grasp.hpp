@@ -66,7 +66,7 @@ struct GraspState {
   virtual_hand::HandPose hand;               ///< the virtual one: palm and angles
   std::array<Vec3, kHandJointCount> joints;  ///< of the virtual hand [m]; without one: NaN
   std::array<DigitGrasp, kDigitCount> digits;
-  bool supported = false;  ///< it rests on table or block
+  bool supported = false;  ///< it is less than 5 mm above table or block
   bool held = false;       ///< a digit is tied to it, or two touch it
 
   virtual_hand::GraspChoice choice;  ///< best set of the digits that touch, against its limits

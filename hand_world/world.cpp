@@ -134,10 +134,13 @@ AssistanceRow World::assistance_row(double t_s) const noexcept {
   AssistanceRow row;
   row.t_s = t_s;
   for (std::size_t d = 0; d < kDigitCount; ++d) {
-    const bool contact = touches_[d].contact;
+    const DigitTouch& touch = touches_[d];
     double pull_N = 0.0;
-    if (ties_[d]) pull_N = contact ? ties_[d]->pull_N() : ties_[d]->effort_N();
-    row.digits[d] = {contact, pull_N, touches_[d].gap_m};
+    if (ties_[d]) {
+      const bool away = !touch.contact && touch.gap_m >= virtual_hand::Assistance::kReleaseGap_m;
+      pull_N = away ? ties_[d]->effort_N() : std::max(0.0, ties_[d]->pull_N() - touch.normal_N);
+    }
+    row.digits[d] = {touch.contact, pull_N, touch.gap_m};
   }
   return row;
 }

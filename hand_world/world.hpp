@@ -97,10 +97,12 @@ class World {
   [[nodiscard]] bool tied(Digit digit) const noexcept { return ties_[index_of(digit)].has_value(); }
   /// Where a digit is tied to the object; nothing: it is not.
   [[nodiscard]] std::optional<virtual_hand::DigitContact> tie_of(Digit digit) const noexcept;
-  /// It rests on table or block.
+  /// It stands on table or block, or is less than kMargin_m above them: what hops under a finger
+  /// was not lifted.
   [[nodiscard]] bool supported() const noexcept { return supported_; }
-  /// Row of the assistance at a time, without its feasible grasp. The pull of a digit that touches
-  /// is the effort of its spring along the outward normal; of one that does not the whole effort.
+  /// Row of the assistance at a time, without its feasible grasp. The pull of a digit is the effort
+  /// of its spring along the outward normal less the force with which it presses, at least 0; of
+  /// one that is Assistance::kReleaseGap_m away the whole effort.
   [[nodiscard]] virtual_hand::AssistanceRow assistance_row(double t_s) const noexcept;
   /// Where a digit touches, for the criteria; nothing: it does not.
   [[nodiscard]] std::optional<virtual_hand::DigitContact> contact_of(Digit digit) const noexcept;

@@ -185,8 +185,8 @@ void World::remember(const Pose& X_WO) noexcept {
     memory_[frame.slot] = {true, block.force[0],
                            frame.R_WC.col(1) * block.force[1] + frame.R_WC.col(2) * block.force[2],
                            block.force[3], block.slip_angle};
-    if (!(block.force[0] > 0.0)) continue;
     if (frame.slot >= kHandParts && frame.slot < kBase) supported_ = true;
+    if (!(block.force[0] > 0.0)) continue;
     if (frame.slot >= kLinks) continue;
     const std::size_t d = frame.slot / kLinkCount;
     const std::size_t link = frame.slot % kLinkCount;

@@ -43,7 +43,7 @@ struct HandInput {
   double thumb_index_gap_m = kNotMeasured;
   bool held = false;       ///< a digit is tied to the object, or two touch it
   bool touched = false;    ///< a digit touches it, or is tied to it
-  bool supported = false;  ///< it rests on table or block
+  bool supported = false;  ///< it is less than 5 mm above table or block
   Pose X_WO = missing_pose();
   /// Frames of the trial so far, and those of them without the hand (virtual_hand::LostShare):
   /// pauses in which it was out of sight count, others do not.

@@ -17,7 +17,7 @@ namespace isograsp::virtual_hand {
 struct PlacementRow {
   double t_s = 0.0;
   bool held = false;       ///< a digit is tied to it, or two touch it
-  bool supported = false;  ///< it rests on table or support
+  bool supported = false;  ///< it is less than 5 mm above table or support
   Pose X_WO;               ///< of the object
   Pose X_WT;               ///< of the target
 };

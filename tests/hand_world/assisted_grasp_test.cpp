@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/random.hpp"
 #include "kinematics/attitude.hpp"
 #include "tests/hand_world/support.hpp"
 #include "tests/support/every.hpp"
@@ -96,6 +97,8 @@ class Hold {
     object.place(state().object);
     return object.kinetic_J() + object_.body.mass_kg * 9.81 * state().object.X_WO.p.y();
   }
+  /// From the thumb to the fingers, unit vector.
+  [[nodiscard]] const Vec3& across() const { return grip_->across; }
   [[nodiscard]] AssistedGrasp& grasp() { return *grasp_; }
   [[nodiscard]] const GraspState& state() const { return grasp_->state(); }
   [[nodiscard]] const GraspObject& object() const { return object_; }
@@ -260,6 +263,52 @@ TEST(AssistedGrasp, OnceAnObjectIsPlacedTheFirstDigitThatOpensTakesTheOthersWith
       ++opened;
       EXPECT_EQ(hold.attached(), placed ? 0 : 2) << k;
     }
+  }
+}
+
+TEST(AssistedGrasp, WhoPressesDoesNotLetGoHoweverTheTrackerShakesAndTheTipsRollApart) {
+  constexpr double kShake_m = 0.001;  // SD of each joint, twice that of a tracker
+  constexpr double kApart_m = 0.01;   // of the tips, along the object
+  constexpr double kAside_m = 0.03;   // of the other fingers
+  Hold hold(kPinch, Hand::right, 0.002);
+  const auto aside = [&](HandFrame frame) {
+    for (const Digit digit : {Digit::middle, Digit::ring, Digit::little})
+      for (std::size_t end = 1; end <= kLinkCount; ++end)
+        frame.joints[joint_of(digit, end)] += kAside_m * hold.across();
+    return frame;
+  };
+  hold.place();
+  for (int k = 0; k < 20; ++k)
+    hold.grasp().frame(aside(hold.frame_of(kPress_m, Vec3::Zero())), false);
+  for (int k = 0; k < 50; ++k)
+    hold.grasp().frame(aside(hold.frame_of(kPress_m, k / 50.0 * Hold::kUp)), false);
+  ASSERT_EQ(hold.attached(), 2);
+  Random random(1);
+  for (int k = 0; k < 200; ++k) {
+    HandFrame frame = aside(hold.frame_of(kPress_m, Hold::kUp));
+    const Vec3 along = hold.state().object.X_WO.q * Vec3::UnitZ();
+    for (std::size_t end = 1; end <= kLinkCount; ++end)
+      frame.joints[joint_of(Digit::thumb, end)] += std::min(1.0, k / 100.0) * kApart_m * along;
+    for (Vec3& joint : frame.joints)
+      joint += kShake_m * Vec3(random.gaussian(), random.gaussian(), random.gaussian());
+    hold.grasp().frame(frame, false);
+    ASSERT_EQ(hold.attached(), 2) << k;
+    for (const DigitGrasp& digit : hold.state().digits) EXPECT_GE(digit.pull_N, 0.0);
+  }
+}
+
+TEST(AssistedGrasp, AnObjectThatHopsOnTheTableIsNotLiftedYet) {
+  for (const double height_m : {0.003, 0.02}) {
+    Hold hold(kPinch);
+    hold.place();
+    hold.lead(-kNear_m, kPress_m, Vec3::Zero(), Vec3::Zero(), 5);
+    hold.run(kPress_m, 15);
+    const double from_m = hold.state().object.X_WO.p.y();
+    const Vec3 up(0.0, height_m, 0.0);
+    hold.lead(kPress_m, kPress_m, Vec3::Zero(), up, 30);
+    hold.run(kPress_m, 20, up);
+    EXPECT_GT(hold.state().object.X_WO.p.y(), from_m + 0.5 * height_m);
+    EXPECT_EQ(hold.state().supported, height_m < World::kMargin_m);
   }
 }
 

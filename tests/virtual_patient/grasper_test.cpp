@@ -73,6 +73,19 @@ std::vector<HandFrame> watch(VirtualGrasper& grasper, const Stimulus& picture, d
   return frames;
 }
 
+TEST(VirtualGrasper, FingersCloseOnWhatIsNotThereNoFurtherThanTheirSkins) {
+  GraspTraits strong = exact(person("healthy"));
+  strong.squeeze_m = 0.03;
+  VirtualGrasper grasper(model(), strong, 1);
+  Stimulus picture = object_at(kLying, kLifted);
+  picture.virtual_object->size_m = {0.01, 0.01, 0.02};
+  double least_m = 1.0;
+  for (const HandFrame& hand : every(watch(grasper, picture, 6.0)))
+    least_m = std::min(least_m, skin_gap(hand));
+  constexpr double kPosture_m = 0.001;  // tips are found to so much
+  EXPECT_WITHIN(least_m, 0.0, kPosture_m);
+}
+
 TEST(VirtualGrasper, TheSameSeedGivesTheSameHandAndAnotherSeedAnother) {
   VirtualGrasper a(model(), person("paretic"), 4), b(model(), person("paretic"), 4),
       c(model(), person("paretic"), 5);

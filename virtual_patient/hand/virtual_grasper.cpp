@@ -40,10 +40,11 @@ constexpr double kLooksAt_s = 0.15;     ///< at a standing object before it is c
 constexpr int kMostMoves = 12;          ///< corrections of one transport; then it is good enough
 constexpr double kLost_m = 0.04;        ///< an object so far from where the hand has it is lost
 constexpr double kLost_rad = 1.2;
-constexpr double kStays_s = 0.3;     ///< … for so long
-constexpr double kGivesUp_s = 2.0;   ///< a screen that asks for nothing any more
-constexpr double kMostHarder = 4.0;  ///< times harder_m
-constexpr double kNarrow_m = 0.015;  ///< too narrow for two fingers beside each other
+constexpr double kStays_s = 0.3;      ///< … for so long
+constexpr double kGivesUp_s = 2.0;    ///< a screen that asks for nothing any more
+constexpr double kMostHarder = 4.0;   ///< times harder_m
+constexpr double kSkinsMeet_m = 0.0;  ///< no hand closes further on what is not there
+constexpr double kNarrow_m = 0.015;   ///< too narrow for two fingers beside each other
 /// Where the hand rests: over the table before the person, on the side of the hand.
 const Vec3 kRestPlace_W(0.12, 0.18, 0.18);
 /// The line from thumb to fingers of a hand that comes from there, level.
@@ -246,7 +247,8 @@ void VirtualGrasper::Mind::reach(double t_s) noexcept {
   missed_W = normal_vector(body, person.place_m);
   if (task.width_m != width_m) harder_m = 0.0;
   width_m = task.width_m;
-  closed_m = task.width_m - person.squeeze_m - harder_m + person.squeeze_sd_m * body.gaussian();
+  closed_m = std::max(kSkinsMeet_m, task.width_m - person.squeeze_m - harder_m +
+                                        person.squeeze_sd_m * body.gaussian());
   Pose to = palm_at_object();
   to.p.y() += kAbove_m;
   move_palm(to, t_s);

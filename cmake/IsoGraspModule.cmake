@@ -60,6 +60,32 @@ function(isograsp_no_numerics target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
+# A unit of as many files as the preset says may take a compiler more than 1.5 GB in this folder.
+function(isograsp_at_most files target)
+  if(CMAKE_UNITY_BUILD_BATCH_SIZE GREATER files)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD_BATCH_SIZE ${files})
+  endif()
+endfunction()
+
+# These files of the target alone read a library that costs a compiler much: they are compiled together,
+# which reads it and makes what they use of it once. The others stay as they were.
+function(isograsp_together target)
+  if(NOT CMAKE_UNITY_BUILD)
+    return()
+  endif()
+  get_target_property(size ${target} UNITY_BUILD_BATCH_SIZE)
+  get_target_property(others ${target} SOURCES)
+  list(REMOVE_ITEM others ${ARGN})
+  set(place 0)
+  foreach(file ${others})
+    math(EXPR batch "${place} / ${size}")
+    set_source_files_properties(${file} PROPERTIES UNITY_GROUP ${batch})
+    math(EXPR place "${place} + 1")
+  endforeach()
+  set_source_files_properties(${ARGN} PROPERTIES UNITY_GROUP together)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+endfunction()
+
 # Objects say beside their code what they define (GCC's link-time optimisation, which nothing is linked
 # with): tests/one_definition compares all of the program. It costs a compiler nothing that one can measure.
 option(ISOGRASP_ONE_DEFINITION "Test that no name of the program is defined twice (GCC)" OFF)

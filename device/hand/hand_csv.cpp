@@ -14,7 +14,7 @@ namespace isograsp {
 
 namespace {
 
-constexpr std::array<std::string_view, 3> kHandAxes{"_x_m", "_y_m", "_z_m"};
+constexpr std::array<std::string_view, 3> kPointAxes{"_x_m", "_y_m", "_z_m"};
 
 /// Where in the table the joints are.
 using JointColumns = std::array<std::optional<std::array<std::size_t, 3>>, kHandJointCount>;
@@ -30,9 +30,9 @@ Result<JointColumns> joint_columns(const WordTable& table) {
   std::size_t known = 0;
   for (std::size_t j = 0; j < kHandJointCount; ++j) {
     const std::string name(kHandJointNames[j]);
-    const auto x = table.find(name + std::string(kHandAxes[0]));
-    const auto y = table.find(name + std::string(kHandAxes[1]));
-    const auto z = table.find(name + std::string(kHandAxes[2]));
+    const auto x = table.find(name + std::string(kPointAxes[0]));
+    const auto y = table.find(name + std::string(kPointAxes[1]));
+    const auto z = table.find(name + std::string(kPointAxes[2]));
     if (x && y && z) joints[j] = {*x, *y, *z};
     known += std::size_t{x.has_value()} + std::size_t{y.has_value()} + std::size_t{z.has_value()};
     if (x.has_value() != y.has_value() || y.has_value() != z.has_value())
@@ -51,7 +51,7 @@ Result<JointColumns> joint_columns(const WordTable& table) {
           if (!name.starts_with(joint)) return false;
           const std::string_view rest = std::string_view(name).substr(joint.size());
           return rest == "_radius_m" ||
-                 std::find(kHandAxes.begin(), kHandAxes.end(), rest) != kHandAxes.end();
+                 std::find(kPointAxes.begin(), kPointAxes.end(), rest) != kPointAxes.end();
         });
     if (!of_row && !of_joint) return unknown_column(table, name);
   }
@@ -167,7 +167,7 @@ Result<HandCsvWriter> HandCsvWriter::create(const std::string& path) {
   HandCsvWriter writer(*std::move(file));
   std::string header = "t_s,hand,tracked,confidence";
   for (const std::string_view joint : kHandJointNames)
-    for (const std::string_view axis : kHandAxes)
+    for (const std::string_view axis : kPointAxes)
       header += "," + std::string(joint) + std::string(axis);
   writer.file_.write(header + "\n");
   return writer;

@@ -3,11 +3,37 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 namespace isograsp::bimanual {
+
+namespace {
+
+/// Eigenvalues, and directions as columns, of what is symmetric.
+std::pair<Eigen::Vector3d, Eigen::Matrix3d> axes_of(const Eigen::Matrix3d& symmetric) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(symmetric);
+  return {eigen.eigenvalues(), eigen.eigenvectors()};
+}
+
+/// Two rows are tridiagonal as they are: the same steps and bits without the reduction to that
+/// form, which a compiler works on for seven seconds.
+std::pair<Eigen::Vector2d, Eigen::Matrix2d> axes_of(const Eigen::Matrix2d& symmetric) {
+  using One = Eigen::Matrix<double, 1, 1>;
+  Eigen::Vector2d diagonal = symmetric.diagonal();
+  double below = symmetric(1, 0);
+  double scale = std::max(diagonal.cwiseAbs().maxCoeff(), std::abs(below));
+  if (scale == 0.0) scale = 1.0;
+  diagonal /= scale;
+  below /= scale;
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen;
+  eigen.computeFromTridiagonal(diagonal, One(below));
+  return {eigen.eigenvalues() * scale, eigen.eigenvectors()};
+}
+
+}  // namespace
 
 template <int N>
 Eigen::Matrix<double, N, 1> friction_in_ellipsoid(const Eigen::Matrix<double, N, N>& W,
@@ -23,16 +49,17 @@ Eigen::Matrix<double, N, 1> friction_in_ellipsoid(const Eigen::Matrix<double, N,
   }
   // f = D y: the ellipsoid is the unit ball of y, and D u its outward normal.
   const Matrix scaled = limits.asDiagonal() * W * limits.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(scaled);
-  const Vector b = eigen.eigenvectors().transpose() * limits.cwiseProduct(slip_free);
-  const Vector beta = eigen.eigenvalues().cwiseMax(0.0);
+  const std::pair<Vector, Matrix> axes = axes_of(scaled);
+  const Matrix& directions = axes.second;
+  const Vector b = directions.transpose() * limits.cwiseProduct(slip_free);
+  const Vector beta = axes.first.cwiseMax(0.0);
   const auto at = [&](double s) {
     Vector y;
     for (int i = 0; i < N; ++i) y[i] = b[i] == 0.0 ? 0.0 : b[i] / (beta[i] + s);
     return y;
   };
   const auto answer = [&](const Vector& y) -> Vector {
-    return limits.cwiseProduct(eigen.eigenvectors() * y);
+    return limits.cwiseProduct(directions * y);
   };
   // A direction without stiffness is one without a limit: nothing is asked of it.
   const double least = 1e-14 * beta.maxCoeff();

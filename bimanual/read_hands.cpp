@@ -93,6 +93,7 @@ Vec6 read_six(TomlReader& table, std::string_view key) {
 PadSpec read_pad(TomlReader& table) {
   PadSpec pad;
   pad.hand = static_cast<Side>(table.choice("hand", {"left", "right"}));
+  pad.from_hand_m = table.vec3("from_hand_m", Vec3::Zero());
   const auto frame = PatchFrame::along(Vec3::Zero(), table.vec3("normal"), table.vec3("tangent"));
   if (frame) {
     pad.normal = frame->normal;

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs every engine on every case and writes results.csv, scenes.csv, kernels.csv, machine.json,
 then scoring.csv and scoring.json (--scoring: only these), markers.csv and markers.json (--markers),
-hand_world.csv and hand_world.json (--hand).
+hand_world.csv and hand_world.json (--hand), pads.csv and pads.json (--pads).
 
 Each engine is a program of its own (bench/harness.hpp): one that aborts, hangs or diverges gets
 that as its status and takes nobody with it. Errors are measured once, times in rounds that go
@@ -155,7 +155,7 @@ def machine(source, build, core, peers, counter):
         found = re.search(rf"^\s*{re.escape(name)}:\s*(.*)$", lscpu, re.MULTILINE)
         return found[1] if found else ""
 
-    measured = ["core", "hand", "grasp_model", "virtual_hand", "hand_world", "statistics", "tasks", "bench", "CMakeLists.txt", "cmake"]
+    measured = ["core", "hand", "grasp_model", "virtual_hand", "hand_world", "bimanual", "statistics", "tasks", "bench", "CMakeLists.txt", "cmake"]
     git = ["git", "-C", str(source)]
     return {
         "processor": cpu("Model name"), "family_model_stepping":
@@ -246,6 +246,25 @@ def measure_hand(build, out, pin, described):
     (out / "hand_world.json").write_text(json.dumps({**described, "load": load}, indent=2) + "\n")
 
 
+def measure_pads(build, out, pin, described):
+    """Medians of the rounds, ours and those of the peer in turns."""
+    note("pads")
+    load = f"{os.getloadavg()[0]:.1f}"
+    columns = ["case", "rows", "median_ns", "p99_ns", "sweeps", "creep_m_s", "creep_rad_s"]
+    programs = [build / "bench/bench_pads"]
+    programs += [build / "bench/peers/bench_mujoco_pads"] if described["peers"] else []
+    rounds = [[line.split("\t") for program in programs for line in subprocess.run(
+        [*pin, program], stdout=subprocess.PIPE, text=True, check=True).stdout.splitlines()]
+        for _ in range(ROUNDS)]
+    rows = []
+    for cases in zip(*rounds):
+        name, *values = zip(*cases)
+        rows.append(dict(zip(columns, [name[0]] + [
+            digits(statistics.median(map(float, v))) if "dropped" not in v else "dropped" for v in values])))
+    write_csv(out / "pads.csv", columns, rows)
+    (out / "pads.json").write_text(json.dumps({**described, "load": load}, indent=2) + "\n")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--source", type=pathlib.Path, required=True)
@@ -255,6 +274,7 @@ def main():
     parser.add_argument("--scoring", action="store_true")
     parser.add_argument("--markers", action="store_true")
     parser.add_argument("--hand", action="store_true")
+    parser.add_argument("--pads", action="store_true")
     options = parser.parse_args()
     build, out = options.build.resolve(), options.out.resolve()
     out.mkdir(parents=True, exist_ok=True)
@@ -268,6 +288,9 @@ def main():
     if options.hand:
         measure_hand(build, out, pin, machine(options.source, build, core, True, ""))
         measure_hold(build, out, pin)
+        return
+    if options.pads:
+        measure_pads(build, out, pin, machine(options.source, build, core, options.peers, ""))
         return
     if options.markers:
         measure_markers(build, out, pin, machine(options.source, build, core, False, ""))
@@ -333,6 +356,7 @@ def main():
     measure_hand(build, out, pin, described)
     if options.peers:  # else the table keeps what was measured beside them
         measure_hold(build, out, pin)
+    measure_pads(build, out, pin, described)
 
 
 if __name__ == "__main__":

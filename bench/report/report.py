@@ -270,6 +270,16 @@ def hold(results):
     return table(["", "grip", "time of a second", "slip", "turn", "depth"], rows)
 
 
+def pads(results):
+    def creep(row, column, form, scale):
+        return "dropped" if row[column] == "dropped" else form.format(scale * float(row[column]))
+    rows = [[r["case"], r["rows"], time(float(r["median_ns"])), time(float(r["p99_ns"])), r["sweeps"],
+             creep(r, "creep_m_s", "{:.2g} µm/s", 1e6), creep(r, "creep_rad_s", "{:.2g} °/s", 180.0 / math.pi)]
+            for r in results.pads]
+    lines = table(["", "rows", "median", "99th percentile", "sweeps", "creeps", "turns"], rows)
+    return f"{conditions(results.pads_machine)}\n\n{lines}"
+
+
 def scoring(results):
     lines = table(["", "processor time"],
                   [[s["scoring"].replace("/", ", ").replace("_", " "), time(float(s["ms"]) * 1e6)]
@@ -282,7 +292,7 @@ def main(folder, page):
     text = (pathlib.Path(__file__).parent / "performance.md.in").read_text()
     fields = dict(machine=machine(results), noise=noise(results), ours=ours(results),
                   scenes=scenes(results), kernels=kernels(results),
-                  scoring=scoring(results), markers=markers(results), hand=hand(results), hold=hold(results), by_hand=by_hand(results),
+                  scoring=scoring(results), markers=markers(results), hand=hand(results), hold=hold(results), pads=pads(results), by_hand=by_hand(results),
                   hand_wins=hand_wins(results))
     if results.machine["peers"]:
         fields.update(closest=closest(results), levels=levels(results, False),

@@ -28,6 +28,11 @@ Pose moved(const Pose& X, const Vec6& velocity, double step_s) {
           (turned(step_s * velocity.tail<3>()) * X.q).normalized()};
 }
 
+/// Where a proxy wants its pad.
+Pose wanted(const Pose& X_WProxy, const PadSpec& pad) {
+  return {X_WProxy.p + X_WProxy.q * pad.from_hand_m, X_WProxy.q};
+}
+
 /// Where a point is in a solid, and the normal of the face beneath; object axes.
 struct Depth {
   double depth_m = -1.0;  ///< below 0: outside
@@ -75,14 +80,14 @@ HeldByPads::HeldByPads(const Scene& scene, std::vector<PadSpec> pads, double ste
     : scene_(scene),
       pads_(std::move(pads)),
       step_s_(step_s),
-      solver_(solver),
+      steps_(solver),
       proxies_(proxies),
       X_WO_(scene.initial_X_WO),
       v_W_(scene.initial_v_WO_W),
       w_W_(scene.initial_w_WO_W),
       wrenches_(pads_.size()) {
   for (const PadSpec& pad : pads_) {
-    X_WP_.push_back(proxies[index_of(pad.hand)]);
+    X_WP_.push_back(wanted(proxies[index_of(pad.hand)], pad));
     std::vector<PatchRay> rays;
     for (int j = 0; j < pad.face.rays; ++j) {
       const double reach_m = reach_of_ray(pad.face, j).limit_m;
@@ -123,8 +128,8 @@ HeldByPads::Body HeldByPads::object_body(const Vec3& gravity_m_s2) const {
 HeldByPads::Body HeldByPads::pad_body(std::size_t pad,
                                       const std::array<Pose, kSides>& proxies) const {
   const PadSpec& spec = pads_[pad];
-  const Pose& before = proxies_[index_of(spec.hand)];
-  const Pose& after = proxies[index_of(spec.hand)];
+  const Pose before = wanted(proxies_[index_of(spec.hand)], spec);
+  const Pose after = wanted(proxies[index_of(spec.hand)], spec);
   Vec6 v_proxy, behind;
   v_proxy << (after.p - before.p) / step_s_,
       rotation_vector(after.q * before.q.conjugate()) / step_s_;
@@ -137,45 +142,62 @@ HeldByPads::Body HeldByPads::pad_body(std::size_t pad,
   return body;
 }
 
-PadFace HeldByPads::face_of(std::size_t pad, const Vec6& object_free, const Vec6& pad_free) const {
+void HeldByPads::put_face(std::size_t pad, const Vec6& object_free, const Vec6& pad_free,
+                          PadFace& face) const {
   const PadSpec& spec = pads_[pad];
   const Pose& X_WP = X_WP_[pad];
-  PadFace face;
   face.object = 0;
   face.pad = pad + 1;
   face.friction = spec.friction;
   face.stiffness_N_m3 = spec.foundation_N_m3;
   const Vec3 across = spec.normal.cross(spec.tangent);
   const Vec3 normal_O = X_WO_.q.conjugate() * (X_WP.q * spec.normal);
-  for (const PressedPoint& element : points_[pad]) {
-    PadPoint point;
+  face.points.resize(points_[pad].size());
+  for (std::size_t i = 0; i < face.points.size(); ++i) {
+    const PressedPoint& element = points_[pad][i];
+    PadPoint& point = face.points[i];
     point.p_pad = X_WP.q * (element.p_m.x() * spec.tangent + element.p_m.y() * across);
     point.p_object = X_WP.p + point.p_pad - X_WO_.p;
     const Depth depth =
         depth_in(scene_.shape, scene_.size_m, X_WO_.q.conjugate() * point.p_object, normal_O);
     point.normal = X_WO_.q * depth.inward;
+    // The bed gives way: they meet on the surface of the object.
+    const Vec3 out = -std::max(depth.depth_m, 0.0) * point.normal;
+    point.p_pad += out;
+    point.p_object += out;
     point.area_m2 = element.share;
     const Vec3 slip = pad_free.head<3>() + Vec3(pad_free.tail<3>()).cross(point.p_pad) -
                       object_free.head<3>() - Vec3(object_free.tail<3>()).cross(point.p_object);
     point.penetration_free_m = depth.depth_m + step_s_ * point.normal.dot(slip);
-    face.points.push_back(point);
   }
-  return face;
+}
+
+void HeldByPads::put_step(const std::array<Pose, kSides>& proxies, const Vec3& gravity_m_s2,
+                          PadStep& step) const {
+  step.step_s = step_s_;
+  step.inertia.resize(1 + pads_.size());
+  step.velocity_free.resize(1 + pads_.size());
+  step.faces.resize(pads_.size());
+  const auto put = [&step](std::size_t body, const Body& what) {
+    step.inertia[body] = what.inertia;
+    step.velocity_free[body] = what.velocity_free;
+  };
+  put(0, object_body(gravity_m_s2));
+  for (std::size_t pad = 0; pad < pads_.size(); ++pad) {
+    put(pad + 1, pad_body(pad, proxies));
+    put_face(pad, step.velocity_free[0], step.velocity_free[pad + 1], step.faces[pad]);
+  }
+}
+
+PadStep HeldByPads::next(const std::array<Pose, kSides>& proxies, const Vec3& gravity_m_s2) const {
+  PadStep step;
+  put_step(proxies, gravity_m_s2, step);
+  return step;
 }
 
 void HeldByPads::step(const std::array<Pose, kSides>& proxies, const Vec3& gravity_m_s2) {
-  PadStep step;
-  step.step_s = step_s_;
-  const auto add = [&step](const Body& body) {
-    step.inertia.push_back(body.inertia);
-    step.velocity_free.push_back(body.velocity_free);
-  };
-  add(object_body(gravity_m_s2));
-  for (std::size_t pad = 0; pad < pads_.size(); ++pad) {
-    add(pad_body(pad, proxies));
-    step.faces.push_back(face_of(pad, step.velocity_free.front(), step.velocity_free.back()));
-  }
-  PadSolution solution = solve(step, solver_, last_ ? &*last_ : nullptr);
+  put_step(proxies, gravity_m_s2, step_);
+  const PadSolution& solution = steps_.solve(step_);
   settled_ = settled_ && solution.settled;
   for (std::size_t pad = 0; pad < pads_.size(); ++pad) {
     const Vec6& wrench = solution.wrench_on_object[pad];
@@ -188,7 +210,6 @@ void HeldByPads::step(const std::array<Pose, kSides>& proxies, const Vec3& gravi
   v_W_ = solution.velocity[0].head<3>();
   w_W_ = solution.velocity[0].tail<3>();
   proxies_ = proxies;
-  last_ = std::move(solution);
 }
 
 }  // namespace isograsp::bimanual

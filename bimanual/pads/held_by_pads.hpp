@@ -4,7 +4,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <vector>
 
 #include "bimanual/pads/pad_step.hpp"
@@ -16,9 +15,10 @@ namespace isograsp::bimanual {
 /// A pad as a scene says it.
 struct PadSpec {
   Side hand = Side::left;
-  Vec3 normal = Vec3::UnitX();   ///< of its face at the begin, into the object
-  Vec3 tangent = Vec3::UnitY();  ///< across the normal
-  Pad face;                      ///< semi-axes, rays, rings
+  Vec3 from_hand_m = Vec3::Zero();  ///< of the pad's origin, from its hand's proxy, whose axes
+  Vec3 normal = Vec3::UnitX();      ///< of its face at the begin, into the object
+  Vec3 tangent = Vec3::UnitY();     ///< across the normal
+  Pad face;                         ///< semi-axes, rays, rings
   double friction = 0.8;
   double foundation_N_m3 = 0.0;   ///< pressure over penetration
   Vec6 stiffness = Vec6::Zero();  ///< against its proxy [N/m], [N m/rad]
@@ -27,17 +27,24 @@ struct PadSpec {
 
 class HeldByPads {
  public:
-  /// Pads stand where their proxies are. @pre the object has mass and inertia
+  /// Pads stand where their proxies want them. @pre the object has mass and inertia
   HeldByPads(const Scene& scene, std::vector<PadSpec> pads, double step_s, PadSolver solver,
              const std::array<Pose, kSides>& proxies);
 
-  /// One step; the proxies at its end.
+  /// What a step from here would solve; the proxies at its end.
+  [[nodiscard]] PadStep next(const std::array<Pose, kSides>& proxies,
+                             const Vec3& gravity_m_s2) const;
+  /// One step; the proxies at its end. Allocates as PadSteps does.
   void step(const std::array<Pose, kSides>& proxies, const Vec3& gravity_m_s2);
 
   [[nodiscard]] const Pose& X_WO() const noexcept { return X_WO_; }
+  [[nodiscard]] const std::vector<Pose>& X_WP() const noexcept { return X_WP_; }
   /// Of each pad on the object in the last step, about the pad's own origin.
   [[nodiscard]] const std::vector<Wrench>& wrenches() const noexcept { return wrenches_; }
   [[nodiscard]] const std::vector<PadSpec>& pads() const noexcept { return pads_; }
+  /// Rows and sweeps of the last step; 0: there was none.
+  [[nodiscard]] std::size_t constraints() const noexcept { return steps_.last().constraints; }
+  [[nodiscard]] int sweeps() const noexcept { return steps_.last().sweeps; }
   /// All steps so far settled.
   [[nodiscard]] bool settled() const noexcept { return settled_; }
 
@@ -48,13 +55,16 @@ class HeldByPads {
   };
   [[nodiscard]] Body object_body(const Vec3& gravity_m_s2) const;
   [[nodiscard]] Body pad_body(std::size_t pad, const std::array<Pose, kSides>& proxies) const;
-  [[nodiscard]] PadFace face_of(std::size_t pad, const Vec6& object_free,
-                                const Vec6& pad_free) const;
+  void put_face(std::size_t pad, const Vec6& object_free, const Vec6& pad_free,
+                PadFace& face) const;
+  void put_step(const std::array<Pose, kSides>& proxies, const Vec3& gravity_m_s2,
+                PadStep& step) const;
 
   Scene scene_;
   std::vector<PadSpec> pads_;
   double step_s_;
-  PadSolver solver_;
+  PadSteps steps_;
+  PadStep step_;
   std::vector<std::vector<PressedPoint>> points_;  ///< of each face; a share is an area [m^2]
   std::vector<Pose> X_WP_;                         ///< of the pads
   std::array<Pose, kSides> proxies_;
@@ -63,7 +73,6 @@ class HeldByPads {
   Vec3 w_W_ = Vec3::Zero();
   std::vector<Wrench> wrenches_;
   bool settled_ = true;
-  std::optional<PadSolution> last_;  ///< whose forces the next step begins with
 };
 
 }  // namespace isograsp::bimanual

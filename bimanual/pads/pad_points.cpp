@@ -1,87 +1,305 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Soft pads point by point.
-#include "bimanual/pads/friction_block.hpp"
+#include "bimanual/pads/pad_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/LU>
+
 #include "bimanual/pads/pad_rows.hpp"
 
 namespace isograsp::bimanual {
 
 namespace {
 
-struct PointBlock {
-  Rows<1> normal;
-  Rows<2> across;
-  Eigen::Matrix<double, 3, 2> directions;  ///< of `across`
-  double stiffness_N_m = 0.0;              ///< of its piece of the bed
-  double free_m = 0.0;  ///< penetration if nothing moved but as it does without contact
-  double normal_N = 0.0;
-  Vec2 friction_N = Vec2::Zero();
-};
+/// A pad whose points all stick is held this much harder at first than its bodies give, ...
+constexpr double kFirst = 10.0;
+/// ... a point that has not come to kNeeded of the largest slip of a round this much harder in the
+/// next one, ...
+constexpr double kHarder = 30.0, kNeeded = 0.2;
+/// ... and none harder than this: rounding grows with it.
+constexpr double kHardest = 1e7;
+/// Of the largest velocity: what is sought of impulses, and of slip; kSettled must be reached.
+constexpr double kSought = 1e-12, kSticks = 1e-15;
+/// Slower than this sticks: pads that are all but sliding come to rest no sooner [m/s].
+constexpr double kCreep_m_s = 2e-9;
+/// Of the residual at the begin of a round: what may be left at its end.
+constexpr double kCoarse = 1e-2;
+/// Once settled, a round that leaves more than this of the slip before is the last one.
+constexpr double kBetter = 0.5;
+constexpr int kMostNewtonRounds = 40, kMostNewtonSteps = 25, kMostTries = 10;
+
+Vec3 velocity_at(const Vec6& v, const Vec3& arm) {
+  return v.head<3>() + v.tail<3>().cross(arm);
+}
+Vec3 across(const Vec3& v, const Vec3& normal) {
+  return v - normal.dot(v) * normal;
+}
 
 }  // namespace
 
-PadSolution solve_points(const PadStep& step, const PadSolution* before) {
-  Bodies bodies(step);
-  PadSolution solution;
-  std::vector<std::vector<PointBlock>> blocks;
-  for (const PadFace& face : step.faces) {
-    auto& of_face = blocks.emplace_back();
-    for (const PadPoint& point : face.points) {
-      PointBlock block;
-      const Tangents t(point.normal);
-      block.normal.object = row_of(point.normal, point.p_object);
-      block.normal.pad = row_of(point.normal, point.p_pad);
-      block.across.object << row_of(t.first, point.p_object), row_of(t.second, point.p_object);
-      block.across.pad << row_of(t.first, point.p_pad), row_of(t.second, point.p_pad);
-      block.normal.prepare(bodies, face);
-      block.across.prepare(bodies, face);
-      block.stiffness_N_m = face.stiffness_N_m3 * point.area_m2;
-      block.free_m =
-          point.penetration_free_m - step.step_s * block.normal.slip(bodies, face).value();
-      block.directions << t.first, t.second;
-      of_face.push_back(block);
+void PointSolver::begin(const PadStep& step, bool go_on, const PadSolution& before) {
+  step_s_ = step.step_s;
+  looks_ = 0;
+  objects_.resize(step.inertia.size());
+  faces_.resize(step.faces.size());
+  const auto& velocity = go_on ? before.velocity : step.velocity_free;
+  for (std::size_t b = 0; b < objects_.size(); ++b) {
+    Object& object = objects_[b];
+    object.inertia = step.inertia[b];
+    object.inverse = object.inertia.inverse();
+    object.free = step.velocity_free[b];
+    object.velocity = velocity[b];
+  }
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    const PadFace& spec = step.faces[f];
+    Face& face = faces_[f];
+    static_cast<Body&>(face) = objects_[spec.pad];
+    // From here on it is the face that moves the pad.
+    objects_[spec.pad].velocity = objects_[spec.pad].free;
+    face.object = spec.object;
+    face.there.setIdentity();
+    if (!spec.points.empty())
+      face.there.topRightCorner<3, 3>() =
+          -skew(spec.points.front().p_object - spec.points.front().p_pad);
+    face.relative_free = face.free - face.there * objects_[spec.object].free;
+    face.relative = velocity[spec.pad] - face.there * velocity[spec.object];
+    begin_points(spec, face);
+    if (go_on)
+      for (std::size_t i = 0; i < face.points.size(); ++i)
+        face.points[i].held_N = face.points[i].foreseen_N =
+            across(before.memory[f].friction_W_N[i], spec.points[i].normal);
+  }
+}
+
+void PointSolver::begin_points(const PadFace& spec, Face& face) const {
+  face.points.assign(spec.points.size(), PointState());
+  double area_m2 = 0.0;
+  for (const PadPoint& point : spec.points) area_m2 += point.area_m2;
+  const Mat6 give =
+      face.inverse + face.there * objects_[face.object].inverse * face.there.transpose();
+  const double hard = 3.0 / (step_s_ * give.topLeftCorner<3, 3>().trace() * area_m2);
+  for (std::size_t i = 0; i < face.points.size(); ++i) {
+    const PadPoint& point = spec.points[i];
+    PointState& state = face.points[i];
+    state.stiffness_N_m = spec.stiffness_N_m3 * point.area_m2;
+    state.at_rest_m = point.penetration_free_m -
+                      step_s_ * point.normal.dot(velocity_at(face.relative_free, point.p_pad));
+    state.hardest = kHardest * hard * point.area_m2;
+    state.firm = kFirst * hard * point.area_m2;
+  }
+}
+
+/// Wrench of a pad on the object, and how it grows with the velocity of the pad over it.
+void PointSolver::look_at_points(const PadFace& spec, Face& face) const {
+  Vec3 sum = Vec3::Zero(), torque = Vec3::Zero();
+  Mat3 vv = Mat3::Zero(), vw = Mat3::Zero(), wv = Mat3::Zero(), ww = Mat3::Zero();
+  for (std::size_t i = 0; i < face.points.size(); ++i) {
+    const PadPoint& point = spec.points[i];
+    const PointState& state = face.points[i];
+    const Vec3& arm = point.p_pad;
+    const PointForce force =
+        force_at(point, state, spec.friction, step_s_, velocity_at(face.relative, arm));
+    if (force.normal_N == 0.0) continue;
+    const Vec3 all = force.normal_N * point.normal + force.friction_N;
+    sum += all;
+    torque += arm.cross(all);
+    // With the skew matrix S of the arm: K, -K S, S K, -S K S.
+    const Mat3 K = hardness_at(point, state, spec.friction, step_s_, force);
+    Mat3 KS;
+    for (int k = 0; k < 3; ++k) KS.row(k) = arm.cross(K.row(k).transpose()).transpose();
+    vv += K;
+    vw += KS;
+    for (int k = 0; k < 3; ++k) {
+      wv.col(k) += arm.cross(K.col(k));
+      ww.col(k) += arm.cross(KS.col(k));
     }
+  }
+  face.wrench << sum, torque;
+  face.hardness << vv, vw, wv, ww;
+}
+
+/// A (v - v_free) - h J^T f of every body.
+void PointSolver::look(const PadStep& step) {
+  ++looks_;
+  for (Object& object : objects_)
+    object.residual = object.inertia * (object.velocity - object.free);
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    Face& face = faces_[f];
+    Object& object = objects_[face.object];
+    look_at_points(step.faces[f], face);
+    const Vec6 velocity = face.there * object.velocity + face.relative;
+    face.residual = face.inertia * (velocity - face.free) + step_s_ * face.wrench;
+    object.residual -= step_s_ * face.there.transpose() * face.wrench;
+  }
+}
+
+/// A pad touches nothing but its object: without the pads each object is alone.
+void PointSolver::find_way() {
+  for (Object& object : objects_) {
+    object.system = object.inertia;
+    object.way = -object.residual;
+  }
+  for (Face& face : faces_) {
+    Object& object = objects_[face.object];
+    face.gives = Mat6(face.inertia + step_s_ * face.hardness).inverse();
+    const Mat6 on_object = step_s_ * face.there.transpose() * face.hardness * face.gives;
+    object.system += on_object * face.inertia * face.there;
+    object.way -= on_object * face.residual;
+  }
+  for (Object& object : objects_)
+    object.way = object.system.partialPivLu().solve(object.way).eval();
+  for (Face& face : faces_)
+    face.way =
+        -face.gives * (face.residual + face.inertia * (face.there * objects_[face.object].way));
+}
+
+/// What friction would be after the whole way if it went straight.
+void PointSolver::foresee(const PadStep& step) {
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    const PadFace& spec = step.faces[f];
+    Face& face = faces_[f];
+    for (std::size_t i = 0; i < face.points.size(); ++i) {
+      const PadPoint& point = spec.points[i];
+      PointState& state = face.points[i];
+      const PointForce force =
+          force_at(point, state, spec.friction, step_s_, velocity_at(face.relative, point.p_pad));
+      if (force.normal_N == 0.0) continue;
+      const Mat3 K = hardness_at(point, state, spec.friction, step_s_, force);
+      state.foreseen_N =
+          force.friction_N + across(K * velocity_at(face.way, point.p_pad), point.normal);
+    }
+  }
+}
+
+void PointSolver::go(double share) {
+  for (Object& object : objects_) object.velocity += share * object.way;
+  for (Face& face : faces_) face.relative += share * face.way;
+}
+
+/// Of the residual along the way: below 0 it goes down.
+double PointSolver::work_left() const {
+  double work = 0.0;
+  for (const Object& object : objects_) work += object.way.dot(object.residual);
+  for (const Face& face : faces_)
+    work += face.residual.dot(face.there * objects_[face.object].way + face.way);
+  return work;
+}
+
+/// As a velocity.
+double PointSolver::residual() const {
+  double most = 0.0;
+  for (const Object& object : objects_)
+    most = std::max(most, (object.inverse * object.residual).cwiseAbs().maxCoeff());
+  for (const Face& face : faces_)
+    most = std::max(most, (face.inverse * face.residual).cwiseAbs().maxCoeff());
+  return most;
+}
+
+double PointSolver::speed() const {
+  double most = kStill;
+  for (const Object& object : objects_)
+    most = std::max(most, object.velocity.cwiseAbs().maxCoeff());
+  for (const Face& face : faces_) most = std::max(most, face.relative.cwiseAbs().maxCoeff());
+  return most;
+}
+
+/// A step of Newton, cut where it would climb on the other side.
+void PointSolver::advance(const PadStep& step) {
+  constexpr double kClimbs = 0.5, kLess = 0.9, kInside = 0.1;
+  find_way();
+  const double before = work_left();
+  foresee(step);
+  double low = 0.0, low_work = before, high = 1.0, high_work = 0.0, share = 1.0, gone = 0.0;
+  for (int k = 0; k < kMostTries; ++k) {
+    go(share - gone);
+    gone = share;
+    look(step);
+    const double work = work_left();
+    const bool far_enough = share == 1.0 || work >= -kLess * std::abs(before);
+    if (work <= kClimbs * std::abs(before) && far_enough) return;
+    if (residual() <= kSettled * speed()) return;  // what is left is rounding
+    if (work > 0.0) {
+      high = share;
+      high_work = work;
+    } else {
+      low = share;
+      low_work = work;
+    }
+    const double width = high - low;
+    share = std::clamp(low - low_work * width / (high_work - low_work), low + kInside * width,
+                       high - kInside * width);
+  }
+}
+
+/// What was given is held from now on. The largest slip [m/s] by which a point is not yet where
+/// Coulomb wants it.
+double PointSolver::hold(const PadStep& step, double slipped_before) {
+  const double enough = std::max(kNeeded * slipped_before, kSought * speed());
+  double slipped = 0.0;
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    const PadFace& spec = step.faces[f];
+    for (std::size_t i = 0; i < spec.points.size(); ++i) {
+      const PadPoint& point = spec.points[i];
+      PointState& state = faces_[f].points[i];
+      const Vec3 slip = velocity_at(faces_[f].relative, point.p_pad);
+      const auto friction_N = [&] {
+        return force_at(point, state, spec.friction, step_s_, slip).friction_N;
+      };
+      state.held_N = state.foreseen_N = friction_N();
+      const double off = (friction_N() - state.held_N).norm() / state.firm;
+      slipped = std::max(slipped, off);
+      if (off > enough) state.firm = std::min(kHarder * state.firm, state.hardest);
+    }
+  }
+  return slipped;
+}
+
+void PointSolver::report(const PadStep& step, PadSolution& solution) const {
+  solution.sweeps = looks_;
+  solution.constraints = 0;
+  solution.velocity.resize(objects_.size());
+  solution.wrench_on_object.resize(faces_.size());
+  solution.memory.resize(faces_.size());
+  for (std::size_t b = 0; b < objects_.size(); ++b) solution.velocity[b] = objects_[b].velocity;
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    const Face& face = faces_[f];
+    const PadFace& spec = step.faces[f];
+    solution.velocity[spec.pad] = face.there * objects_[face.object].velocity + face.relative;
+    solution.wrench_on_object[f] = face.there.transpose() * face.wrench;
     solution.constraints += 3 * face.points.size();
-  }
-  if (before != nullptr)
-    for (std::size_t f = 0; f < step.faces.size(); ++f)
-      for (std::size_t i = 0; i < blocks[f].size(); ++i) {
-        PointBlock& block = blocks[f][i];
-        block.normal_N = before->memory[f].normal_N[i];
-        block.friction_N = block.directions.transpose() * before->memory[f].friction_W_N[i];
-        block.normal.push(bodies, step.faces[f], Eigen::Matrix<double, 1, 1>(block.normal_N));
-        block.across.push(bodies, step.faces[f], block.friction_N);
-      }
-  sweep_until_settled(bodies, solution, [&] {
-    for (std::size_t f = 0; f < step.faces.size(); ++f) {
-      const PadFace& face = step.faces[f];
-      for (PointBlock& block : blocks[f]) {
-        const double depth_m = block.free_m + step.step_s * block.normal.slip(bodies, face).value();
-        const double k = block.stiffness_N_m;
-        const double normal_N =
-            std::max(0.0, block.normal_N + (k * depth_m - block.normal_N) /
-                                               (1.0 + k * step.step_s * block.normal.W.value()));
-        block.normal.push(bodies, face, Eigen::Matrix<double, 1, 1>(normal_N - block.normal_N));
-        block.normal_N = normal_N;
-        const Vec2 slip_free = block.across.slip(bodies, face) + block.across.W * block.friction_N;
-        const Vec2 friction_N = friction_in_ellipsoid<2>(block.across.W, slip_free,
-                                                         Vec2::Constant(face.friction * normal_N));
-        block.across.push(bodies, face, friction_N - block.friction_N);
-        block.friction_N = friction_N;
-      }
+    PadMemory& memory = solution.memory[f];
+    memory.normal_N.resize(face.points.size());
+    memory.friction_W_N.resize(face.points.size());
+    for (std::size_t i = 0; i < face.points.size(); ++i) {
+      const PointForce force = force_at(spec.points[i], face.points[i], spec.friction, step_s_,
+                                        velocity_at(face.relative, spec.points[i].p_pad));
+      memory.normal_N[i] = force.normal_N;
+      memory.friction_W_N[i] = face.points[i].held_N;
     }
-  });
-  for (std::size_t f = 0; f < step.faces.size(); ++f) {
-    Vec6 wrench = Vec6::Zero();
-    PadMemory& memory = solution.memory.emplace_back();
-    for (const PointBlock& block : blocks[f]) {
-      wrench += block.normal.object * block.normal_N + block.across.object * block.friction_N;
-      memory.normal_N.push_back(block.normal_N);
-      memory.friction_W_N.push_back(block.directions * block.friction_N);
-    }
-    solution.wrench_on_object.push_back(wrench);
   }
-  solution.velocity = bodies.velocity;
-  return solution;
+}
+
+void PointSolver::solve(const PadStep& step, bool go_on, PadSolution& solution) {
+  begin(step, go_on, solution);
+  double slipped = 0.0;
+  solution.settled = false;
+  for (int round = 0; round < kMostNewtonRounds; ++round) {
+    look(step);
+    const bool coarse = round == 0 || slipped > std::max(kSettled * speed(), kCreep_m_s);
+    const double enough = std::max(kSought * speed(), coarse ? kCoarse * residual() : 0.0);
+    for (int k = 0; k < kMostNewtonSteps && residual() > enough; ++k) {
+      const double left = residual();
+      advance(step);
+      if (left <= kSettled * speed() && residual() > kBetter * left) break;  // rounding
+    }
+    const double before = slipped;
+    slipped = hold(step, before);
+    solution.settled =
+        slipped <= std::max(kSettled * speed(), kCreep_m_s) && residual() <= kSettled * speed();
+    if (solution.settled && (slipped <= kSticks * speed() || slipped > kBetter * before)) break;
+  }
+  report(step, solution);
 }
 
 }  // namespace isograsp::bimanual

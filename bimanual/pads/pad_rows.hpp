@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inside bimanual/pads/ only: what the solvers of a step share: bodies that forces move, rows
-// between an object and a pad, sweeps until nothing changes.
+// Inside bimanual/pads/ only: pads as one block of rows each: bodies that forces move, rows between
+// an object and a pad, sweeps until nothing changes; and what all solvers call settled.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace isograsp::bimanual {
 
 inline constexpr int kMostSweeps = 20000;
-/// Of the largest velocity: what a sweep may still change.
+/// Of the largest velocity: what may be left.
 inline constexpr double kSettled = 1e-10;
 /// Bodies slower than this stand still: what a sweep changes is compared with it [m/s], [rad/s].
 inline constexpr double kStill = 1e-3;
@@ -101,8 +101,6 @@ void sweep_until_settled(Bodies& bodies, PadSolution& solution, Sweep&& sweep) {
   }
 }
 
-/// 3 rows for each point (pad_points.cpp).
-[[nodiscard]] PadSolution solve_points(const PadStep& step, const PadSolution* before);
 /// 4 rows for each pad (pad_faces.cpp); `exact`: with the friction of its points.
 [[nodiscard]] PadSolution solve_faces(const PadStep& step, bool exact, const PadSolution* before);
 

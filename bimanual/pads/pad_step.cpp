@@ -2,9 +2,11 @@
 #include "bimanual/pads/pad_step.hpp"
 
 #include <algorithm>
+#include <memory>
 
 #include <Eigen/LU>
 
+#include "bimanual/pads/pad_points.hpp"
 #include "bimanual/pads/pad_rows.hpp"
 
 namespace isograsp::bimanual {
@@ -15,11 +17,31 @@ Bodies::Bodies(const PadStep& step) : step_s(step.step_s), velocity(step.velocit
 
 PadSolution solve(const PadStep& step, PadSolver solver, const PadSolution* before) {
   switch (solver) {
-    case PadSolver::pointwise: return solve_points(step, before);
+    case PadSolver::pointwise: {
+      PointSolver points;
+      PadSolution solution;
+      if (before != nullptr) solution = *before;
+      points.solve(step, before != nullptr, solution);
+      return solution;
+    }
     case PadSolver::aggregate: return solve_faces(step, false, before);
     case PadSolver::aggregate_exact: break;
   }
   return solve_faces(step, true, before);
+}
+
+PadSteps::PadSteps(PadSolver solver) : solver_(solver), points_(std::make_unique<PointSolver>()) {}
+PadSteps::~PadSteps() = default;
+PadSteps::PadSteps(PadSteps&&) noexcept = default;
+PadSteps& PadSteps::operator=(PadSteps&&) noexcept = default;
+
+const PadSolution& PadSteps::solve(const PadStep& step) {
+  if (solver_ == PadSolver::pointwise)
+    points_->solve(step, begun_, solution_);
+  else
+    solution_ = bimanual::solve(step, solver_, begun_ ? &solution_ : nullptr);
+  begun_ = true;
+  return solution_;
 }
 
 double wrench_error(const PadSolution& solution, const PadSolution& exact) {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -42,6 +43,8 @@ struct PadStep {
   std::vector<PadFace> faces;
 };
 
+class PointSolver;
+
 enum class PadSolver : std::uint8_t { pointwise, aggregate, aggregate_exact };
 inline constexpr std::array<std::string_view, 3> kPadSolverNames{"pointwise", "aggregate",
                                                                  "aggregate_exact"};
@@ -58,16 +61,39 @@ struct PadSolution {
   std::vector<Vec6> velocity;          ///< of each body
   std::vector<Vec6> wrench_on_object;  ///< of each face, about the object's origin
   std::size_t constraints = 0;         ///< rows, whether they act or not
-  int sweeps = 0;                      ///< over all faces
+  int sweeps = 0;                      ///< passes over all faces and their points
   bool settled = true;                 ///< false: the sweeps ended before it did
   std::vector<PadMemory> memory;       ///< of each face
 };
 
-/// Block Gauss-Seidel in the velocities of the bodies, until no sweep changes a velocity by more
-/// than 1e-10 of the largest one. `before`: the step before, of the same faces and by the same
-/// solver, whose forces it begins with; null: with none. The answer is the same within that.
+/// Until velocities are within 1e-10 of the largest one: `pointwise` by Newton (impulses are missed
+/// by no more, and nothing that sticks slips by more, or by more than 2 nm/s), the others by block
+/// Gauss-Seidel (no sweep changes more). `before`: the step before, of the same faces and by the
+/// same solver, where it begins; null: at the free motion. The answer is the same within that.
+/// Where several points of a pad stick, their forces are one choice of many that give the same
+/// velocities and the same wrench.
+/// @pre a pad belongs to one face, and the places of a point from the two origins differ by the
+/// same for all points of a face.
 [[nodiscard]] PadSolution solve(const PadStep& step, PadSolver solver,
                                 const PadSolution* before = nullptr);
+
+/// The same for one step after the other, each begun where the last one ended. `pointwise` does not
+/// allocate once it has seen as many bodies and points.
+class PadSteps {
+ public:
+  explicit PadSteps(PadSolver solver);
+  ~PadSteps();
+  PadSteps(PadSteps&&) noexcept;
+  PadSteps& operator=(PadSteps&&) noexcept;
+  const PadSolution& solve(const PadStep& step);
+  [[nodiscard]] const PadSolution& last() const noexcept { return solution_; }
+
+ private:
+  PadSolver solver_;
+  bool begun_ = false;
+  PadSolution solution_;
+  std::unique_ptr<PointSolver> points_;
+};
 
 /// Largest difference of two solutions: of forces over `largest_N`, of torques over
 /// `largest_N` times kArm_m.

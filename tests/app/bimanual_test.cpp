@@ -212,5 +212,29 @@ TEST(PadBenchCommand, PrintsRowsSweepsAndErrorsOfAllSolvers) {
   }
 }
 
+TEST(PadBenchCommand, HasFourScenesOfFewToManyPointsBesideWhatTheSourceMeasured) {
+  const auto done = isograsp("pad-bench --points 12,48 --json");
+  ASSERT_EQ(done.status, 0) << done.err;
+  const Json answer = Json::parse(done.out);
+  ASSERT_EQ(answer["scenes"].size(), 8U);
+  for (const Json& one : test::every(answer["scenes"])) {
+    const int points = one["points"], pads = one["pads"];
+    EXPECT_EQ(one["pointwise"]["constraints"].get<int>(), 3 * points);
+    EXPECT_EQ(one["aggregate"]["constraints"].get<int>(), 4 * pads);
+    EXPECT_TRUE(one["aggregate"]["settled"].get<bool>());
+  }
+  EXPECT_EQ(answer["source"]["constraints"], Json::parse("[528, 51]"));
+  const auto table = isograsp("pad-bench --scene pencil --points 24");
+  ASSERT_EQ(table.status, 0) << table.err;
+  EXPECT_NE(table.out.find("pencil        24    72"), std::string::npos) << table.out;
+  EXPECT_EQ(table.out.find("ball"), std::string::npos);
+  for (const char* bad : {"--points 13", "--points 12,", "--points many", "--points 12000",
+                          "--scene cup", "--scene ball --case x.json"}) {
+    const auto refused = isograsp(std::string("pad-bench ") + bad);
+    EXPECT_EQ(refused.status, 2) << bad;
+    EXPECT_TRUE(refused.out.empty()) << refused.out;
+  }
+}
+
 }  // namespace
 }  // namespace isograsp::app::bimanual_test

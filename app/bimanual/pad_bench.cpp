@@ -6,6 +6,9 @@
 #include <charconv>
 #include <chrono>
 #include <memory>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -134,40 +137,62 @@ void print_scene_row(std::string_view scene, int points, const TimedSolutions& a
         all[2].wrench_error);
 }
 
-Result<void> run_pad_scenes(const PadBenchOptions& options) {
+struct ScenePoints {
+  std::string_view scene;
+  int points = 0;
+  bimanual::PadGrasp grasp;
+};
+/// All that is asked for, before any of it is solved.
+Result<std::vector<ScenePoints>> asked_scenes(const PadBenchOptions& options) {
   const auto counts = point_counts(options.points);
   if (!counts) return counts.error();
-  PadJson answer;
-  if (!options.json)
-    print("%-9s %6s  %-21s  %-21s  %-21s  %6s  %8s %8s\n%-16s%s\n", "scene", "points", "pointwise",
-          "aggregate", "aggregate_exact", "times", "error", "error", "",
-          "  rows sweeps      [us]  rows sweeps      [us]  rows sweeps      [us]  faster  aggreg."
-          "    exact");
+  std::vector<ScenePoints> asked;
   for (std::size_t k = 0; k < kPadSceneNames.size(); ++k) {
     if (!options.scene.empty() && options.scene != kPadSceneNames[k]) continue;
     for (const int count : *counts) {
-      const auto grasp = bimanual::pad_grasp(static_cast<PadScene>(k), count);
+      auto grasp = bimanual::pad_grasp(static_cast<PadScene>(k), count);
       if (!grasp) return grasp.error();
-      const TimedSolutions all = by_all_solvers(step_under_way(*grasp));
-      if (!options.json) {
-        print_scene_row(kPadSceneNames[k], count, all);
-        continue;
-      }
-      PadJson one{{"scene", kPadSceneNames[k]}, {"pads", grasp->pads.size()}, {"points", count}};
-      put_solutions(all, one);
-      answer["scenes"].push_back(std::move(one));
+      asked.push_back({kPadSceneNames[k], count, *std::move(grasp)});
     }
   }
-  if (options.json) {
-    answer["source"] = {{"constraints", {kSourceRows, kSourceAggregated}},
-                        {"solve_ms", {kSourcePointwise_ms, kSourceAggregated_ms}},
-                        {"remark", kSourceRemark}};
-    print_json(answer);
-  } else {
-    print(
-        "* had not settled when the sweeps ended\nsource: %d rows in %.2f ms, %d in %.2f ms; %s\n",
-        kSourceRows, kSourcePointwise_ms, kSourceAggregated, kSourceAggregated_ms, kSourceRemark);
+  return asked;
+}
+
+void print_scenes(const std::vector<ScenePoints>& asked) {
+  print(
+      "%-9s %6s  %-21s  %-21s  %-21s  %6s  %8s %8s\n%-16s"
+      "  rows sweeps      [us]  rows sweeps      [us]  rows sweeps      [us]  faster  aggreg."
+      "    exact\n",
+      "scene", "points", "pointwise", "aggregate", "aggregate_exact", "times", "error", "error",
+      "");
+  for (const ScenePoints& one : asked)
+    print_scene_row(one.scene, one.points, by_all_solvers(step_under_way(one.grasp)));
+  print(
+      "* had not settled when the sweeps ended\nsource: %d rows in %.2f ms, %d in %.2f ms; "
+      "%s\n",
+      kSourceRows, kSourcePointwise_ms, kSourceAggregated, kSourceAggregated_ms, kSourceRemark);
+}
+
+void print_scenes_json(const std::vector<ScenePoints>& asked) {
+  PadJson answer;
+  for (const ScenePoints& one : asked) {
+    PadJson json{{"scene", one.scene}, {"pads", one.grasp.pads.size()}, {"points", one.points}};
+    put_solutions(by_all_solvers(step_under_way(one.grasp)), json);
+    answer["scenes"].push_back(std::move(json));
   }
+  answer["source"] = {{"constraints", {kSourceRows, kSourceAggregated}},
+                      {"solve_ms", {kSourcePointwise_ms, kSourceAggregated_ms}},
+                      {"remark", kSourceRemark}};
+  print_json(answer);
+}
+
+Result<void> run_pad_scenes(const PadBenchOptions& options) {
+  const auto asked = asked_scenes(options);
+  if (!asked) return asked.error();
+  if (options.json)
+    print_scenes_json(*asked);
+  else
+    print_scenes(*asked);
   return {};
 }
 

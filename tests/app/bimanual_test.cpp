@@ -210,6 +210,20 @@ TEST(PadBenchCommand, PrintsRowsSweepsAndErrorsOfAllSolvers) {
     EXPECT_EQ(refused.status, 2) << text;
     EXPECT_NE(refused.err.find("bad.json"), std::string::npos) << refused.err;
   }
+  const auto refuses = [&](const Json& bad, const std::string& why) {
+    const auto refused = isograsp("pad-bench --case " + folder.write("bad.json", bad.dump()));
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.err.find(why), std::string::npos) << refused.err;
+  };
+  Json bad = cases[1];
+  bad["pads"][1]["pad"] = bad["pads"][0]["pad"];
+  refuses(bad, "a body is that of two pads");
+  bad = cases[1];
+  bad["pads"][0]["normal"][2] = {2.0, 0.0, 0.0};
+  refuses(bad, "no unit normal");
+  bad = cases[1];
+  bad["pads"][0]["p_pad_m"][2] = {0.0, 0.0, 1.0};
+  refuses(bad, "not at one place");
 }
 
 TEST(PadBenchCommand, HasFourScenesOfFewToManyPointsBesideWhatTheSourceMeasured) {
@@ -221,7 +235,8 @@ TEST(PadBenchCommand, HasFourScenesOfFewToManyPointsBesideWhatTheSourceMeasured)
     const int points = one["points"], pads = one["pads"];
     EXPECT_EQ(one["pointwise"]["constraints"].get<int>(), 3 * points);
     EXPECT_EQ(one["aggregate"]["constraints"].get<int>(), 4 * pads);
-    EXPECT_TRUE(one["aggregate"]["settled"].get<bool>());
+    for (const char* solver : {"pointwise", "aggregate", "aggregate_exact"})
+      EXPECT_TRUE(one[solver]["settled"].get<bool>()) << solver;
   }
   EXPECT_EQ(answer["source"]["constraints"], Json::parse("[528, 51]"));
   const auto table = isograsp("pad-bench --scene pencil --points 24");

@@ -217,7 +217,7 @@ void TherapistWindow::make_pages() {
   start_ = new StartPage(clinic_, presenter_, staff_);
   add_page(Page::start, tr("Start"), start_);
   add_page(Page::patient, tr("Patient"), make_patient());
-  auto* session = new SessionPage(presenter_, settings_);
+  auto* session = new SessionPage(presenter_, settings_, staff_);
   add_page(Page::session, tr("Session"), session);
   add_page(Page::device, tr("Device"), new DevicePage(presenter_));
   reports_ = new ReportsPage(clinic_, presenter_);

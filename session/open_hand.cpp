@@ -13,13 +13,15 @@ namespace isograsp::session {
 
 namespace {
 
+constexpr const char* kSize = "size";
+
 Result<bool> size_of_other_in(const Uri& uri) {
-  const std::string size = uri.text_or("size", "own");
+  const std::string size = uri.text_or(kSize, "own");
   if (size != "own" && size != "other")
     return refused("'%1' says not whose size the hand has"_text(size),
                    "write size=own, or size=other for a hand that cannot open"_text)
         .at(uri.text)
-        .about("size");
+        .about(kSize);
   return size == "other";
 }
 
@@ -52,6 +54,15 @@ Result<std::unique_ptr<HandSource>> simulated_user(const ApparatusRequest& reque
 }
 
 }  // namespace
+
+bool says_size(const std::string& uri) {
+  const auto parsed = Uri::parse(uri);
+  return parsed && parsed->parameters.contains(kSize);
+}
+
+std::string with_size_of_other(const std::string& uri) {
+  return uri + (uri.find('?') == std::string::npos ? '?' : '&') + kSize + "=other";
+}
 
 bool is_recorded_hand(const Uri& uri) {
   return begins_like_hand_csv(uri.target);

@@ -10,6 +10,11 @@ namespace isograsp::session {
 /// seed. Errors name the URI.
 [[nodiscard]] Result<std::unique_ptr<Apparatus>> open_hand(const ApparatusRequest& request);
 
+/// The URI says itself whose size the hand has.
+[[nodiscard]] bool says_size(const std::string& uri);
+/// The same tracker, for a hand with the size of the other one. @pre !says_size(uri)
+[[nodiscard]] std::string with_size_of_other(const std::string& uri);
+
 /// replay:// of a table of a tracked hand: its first line says so.
 [[nodiscard]] bool is_recorded_hand(const Uri& uri);
 

@@ -124,13 +124,22 @@ std::optional<Text> reason_to_stop(const std::vector<storage::RatingRecord>& rat
   constexpr int kMostPain = 4;  // at this work stops
   constexpr int kMostRise = 2;  // since the first rating of the session
   if (ratings.empty()) return std::nullopt;
-  const int pain = ratings.back().pain;
-  const int rise = pain - ratings.front().pain;
-  if (pain >= kMostPain)
-    return "Pain %1 of %2: stop the work of this hand for today."_text(pain, kMostOfScale);
-  if (rise >= kMostRise)
+  const storage::RatingRecord& first = ratings.front();
+  const storage::RatingRecord& last = ratings.back();
+  if (last.pain >= kMostPain)
+    return "Pain %1 of %2: stop the work of this hand for today."_text(last.pain, kMostOfScale);
+  if (last.pain - first.pain >= kMostRise)
     return "Pain %1 of %2, %3 more than at first: stop the work of this hand for today."_text(
-        pain, kMostOfScale, rise);
+        last.pain, kMostOfScale, last.pain - first.pain);
+  if (!last.shoulder_pain) return std::nullopt;
+  const int shoulder = *last.shoulder_pain;
+  const int rise = shoulder - first.shoulder_pain.value_or(shoulder);
+  if (shoulder >= kMostPain)
+    return "Shoulder pain %1 of %2: stop the work of this hand for today."_text(shoulder,
+                                                                                kMostOfScale);
+  if (rise >= kMostRise)
+    return "Shoulder pain %1 of %2, %3 more than at first: stop the work of this hand for today."_text(
+        shoulder, kMostOfScale, rise);
   return std::nullopt;
 }
 

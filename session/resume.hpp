@@ -52,7 +52,8 @@ void tell(tasks::Agenda& agenda, const tasks::ProtocolSpec& protocol, const Earl
 [[nodiscard]] std::uint64_t order_seed(const storage::SessionRecord& session,
                                        const EarlierWork& earlier);
 
-/// Pain of 4 or more, or of 2 more than at first, in words; nothing: work may go on.
+/// Pain, also of the shoulder, of 4 or more, or of 2 more than at first, in words; nothing: work
+/// may go on.
 [[nodiscard]] std::optional<Text> reason_to_stop(const std::vector<storage::RatingRecord>& ratings);
 
 }  // namespace isograsp::session

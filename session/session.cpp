@@ -129,20 +129,23 @@ void Session::mark_helped(bool helped) {
   p.learn(*p.last);
 }
 
-std::optional<Text> Session::rate(int effort, int pain) {
+std::optional<Text> Session::rate(int effort, int pain, std::optional<int> shoulder_pain) {
   storage::RatingRecord rating;
   rating.session_time_s = moment().session_time_s;
   rating.effort = effort;
   rating.pain = pain;
+  rating.shoulder_pain = shoulder_pain;
   parts_->recorder->add_rating(rating);
   parts_->ratings.push_back(rating);
   return reason_to_stop(parts_->ratings);
 }
 
-std::optional<Text> Session::correct_rating(int effort, int pain) {
+std::optional<Text> Session::correct_rating(int effort, int pain,
+                                            std::optional<int> shoulder_pain) {
   storage::RatingRecord& rating = parts_->ratings.back();
   rating.effort = effort;
   rating.pain = pain;
+  rating.shoulder_pain = shoulder_pain;
   storage::RatingRecord correction = rating;
   correction.session_time_s = moment().session_time_s;
   parts_->recorder->correct_rating(correction);

@@ -154,11 +154,14 @@ class Session {
   /// The therapist helps in the running trial or, if none runs, did in the last one: it is kept and
   /// marked, and neither references nor levels follow from it. False takes the mark away again.
   void mark_helped(bool helped = true);
-  /// What the patient says of the work so far, 0 to 10 each.
+  /// What the patient says of the work so far, 0 to 10 each; of the shoulder where the hand is
+  /// carried to its targets.
   /// @return why work should stop now; nothing: it may go on.
-  [[nodiscard]] std::optional<Text> rate(int effort, int pain);
+  [[nodiscard]] std::optional<Text> rate(int effort, int pain,
+                                         std::optional<int> shoulder_pain = std::nullopt);
   /// The last rating was meant to be this. @pre rate() was called in this session
-  [[nodiscard]] std::optional<Text> correct_rating(int effort, int pain);
+  [[nodiscard]] std::optional<Text> correct_rating(int effort, int pain,
+                                                   std::optional<int> shoulder_pain = std::nullopt);
 
   /// News since the last call, without waiting.
   [[nodiscard]] std::vector<SessionNews> take_news();

@@ -9,9 +9,11 @@
 #include "session/arm/marker_arm.hpp"
 #include "session/arm/passive_range.hpp"
 #include "session/session_parts.hpp"
+#include "session/tracked_hand/hand_size.hpp"
 #include "session/tracked_hand/tracked_hand.hpp"
 #include "storage/access/open_store.hpp"
 #include "storage/crypto/content_hash.hpp"
+#include "storage/person/consent.hpp"
 #include "storage/records/patient_code.hpp"
 
 namespace isograsp::session {
@@ -43,31 +45,18 @@ std::string joined_lines(const std::vector<std::string>& lines) {
   return text;
 }
 
-/// The newest entry test of the other hand.
-Result<std::optional<storage::PreparationRecord>> other_hand(storage::SessionStore& store,
-                                                             storage::RowId patient, Hand side) {
-  const auto sessions = store.sessions(patient);
-  if (!sessions) return sessions.error();
-  std::optional<storage::PreparationRecord> newest;
-  for (const storage::SessionRecord& session : *sessions) {
-    if (!session.hand || *session.hand == side) continue;
-    const auto all = store.preparations(session.id);
-    if (!all) return all.error();
-    for (const storage::PreparationRecord& one : *all)
-      if (one.kind == kHandEntry) newest = one;
-  }
-  return newest;
-}
-
 /// What a tracked hand must know of its person: the size of the other hand, and whether its joints
 /// may be kept. Nobody's are those of a simulated hand.
 Result<void> tell_of_person(TrackedHand& hand, storage::SessionStore& store,
                             storage::RowId patient) {
-  const auto other = other_hand(store, patient, hand.side());
+  const bool simulated = hand.info().simulated;
+  const auto other = other_hand_measured(store, patient, hand.side(), simulated);
   if (!other) return other.error();
   const auto research = store.consent_state(patient, "research");
   if (!research) return research.error();
-  return hand.know_person(*other, hand.info().simulated || *research == "given");
+  std::optional<storage::PreparationRecord> entry;
+  if (*other) entry = (*other)->entry;
+  return hand.know_person(entry, simulated || *research == "given");
 }
 
 /// Of an apparatus that is no platform: what it has of such a device.
@@ -178,8 +167,8 @@ Result<void> Session::Opening::check_basis() {
   const auto person = (*file)->find_patient(config.patient_code);
   if (!person) return person.error();
   if (!*person) return none();
-  for (const char* purpose : {"treatment", "research"}) {
-    const auto state = (*file)->consent_state((*person)->id, purpose);
+  for (const std::string_view purpose : storage::kPurposesOfCameras) {
+    const auto state = (*file)->consent_state((*person)->id, std::string(purpose));
     if (!state) return state.error();
     if (*state == "given") return {};
   }

@@ -148,9 +148,11 @@ Json session_of(storage::SessionStore& store, const storage::SessionRecord& sess
         {{"topic", answer.topic}, {"item", answer.item}, {"value", answer.value}});
   add_preparations(need(store.preparations(session.id)), json);
   for (const auto& rating : need(store.ratings(session.id)))
-    json["ratings"].push_back({{"session_time_s", rating.session_time_s},
-                               {"effort", rating.effort},
-                               {"pain", rating.pain}});
+    json["ratings"].push_back(
+        {{"session_time_s", rating.session_time_s},
+         {"effort", rating.effort},
+         {"pain", rating.pain},
+         {"shoulder_pain", rating.shoulder_pain ? Json(*rating.shoulder_pain) : Json(nullptr)}});
   for (const auto& event : need(store.events(session.id)))
     json["events"].push_back(
         {{"session_time_s", event.session_time_s}, {"kind", event.kind}, {"text", event.text}});

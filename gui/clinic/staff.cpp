@@ -36,6 +36,15 @@ void look_around(Answer& answer) {
   if (const auto user = answer.access->user()) answer.user = user->name;
 }
 
+/// Of the one who is in; into a database that nobody logs into there is a door for every act.
+Result<std::shared_ptr<storage::Access>> access_to(const std::string& database,
+                                                   const std::shared_ptr<storage::Access>& in) {
+  if (in != nullptr) return in;
+  auto opened = storage::Access::open(database);
+  if (!opened) return opened.error();
+  return std::shared_ptr<storage::Access>(*std::move(opened));
+}
+
 }  // namespace
 
 Staff::Staff(std::string database, const Clock* clock, QObject* parent)
@@ -190,6 +199,34 @@ void Staff::store_identity(QObject* reader, const std::string& code,
   worker_.run(
       [access = access_, code, identity]() -> Result<void> {
         return storage::set_identity(*access, code, identity);
+      },
+      [reader = QPointer<QObject>(reader), done = std::move(done)](const Result<void>& stored) {
+        if (reader) done(stored);
+      });
+}
+
+void Staff::read_consents(QObject* reader, const std::string& code, ConsentsRead done) {
+  using Read = Result<std::vector<storage::Consent>>;
+  worker_.run(
+      [access = access_, database = database_, code]() -> Read {
+        const auto opened = access_to(database, access);
+        if (!opened) return opened.error();
+        return storage::consents(**opened, code);
+      },
+      [reader = QPointer<QObject>(reader), done = std::move(done)](const Read& read) {
+        if (reader) done(read);
+      });
+}
+
+void Staff::record_consent(QObject* reader, const std::string& code,
+                           const storage::Consent& consent,
+                           std::function<void(const Result<void>&)> done) {
+  worker_.run(
+      [access = access_, database = database_, code, consent]() -> Result<void> {
+        const auto opened = access_to(database, access);
+        if (!opened) return opened.error();
+        const auto added = storage::add_consent(**opened, code, consent);
+        return added ? Result<void>{} : Result<void>{added.error()};
       },
       [reader = QPointer<QObject>(reader), done = std::move(done)](const Result<void>& stored) {
         if (reader) done(stored);

@@ -17,6 +17,7 @@
 #include "core/time.hpp"
 #include "gui/clinic/background.hpp"
 #include "storage/access/access.hpp"
+#include "storage/person/consent.hpp"
 #include "storage/person/identity.hpp"
 
 namespace isograsp::gui {
@@ -64,6 +65,12 @@ class Staff final : public QObject {
   using IdentityRead = std::function<void(const Result<std::optional<storage::Identity>>&)>;
   void read_identity(QObject* reader, const std::string& code, IdentityRead done);
   void store_identity(QObject* reader, const std::string& code, const storage::Identity& identity,
+                      std::function<void(const Result<void>&)> done);
+  // On which lawful basis a person's data are used: in every database, under the name of whoever
+  // is in. What is recorded is logged.
+  using ConsentsRead = std::function<void(const Result<std::vector<storage::Consent>>&)>;
+  void read_consents(QObject* reader, const std::string& code, ConsentsRead done);
+  void record_consent(QObject* reader, const std::string& code, const storage::Consent& consent,
                       std::function<void(const Result<void>&)> done);
   /// Names of all, to look for one -> changed(). Forgotten with the lock.
   void show_names();

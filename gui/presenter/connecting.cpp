@@ -6,6 +6,7 @@
 
 #include "gui/library/task_groups.hpp"
 #include "gui/words/texts.hpp"
+#include "session/open_hand.hpp"
 
 namespace isograsp::gui {
 
@@ -57,7 +58,9 @@ session::SessionConfig Connecting::session_config(bool clock_is_right) const {
   config.database = started.database;
   config.patient_code = choices.patient;
   config.hand = *choices.today.hand;
-  config.device_uri = choices.device_uri;
+  config.device_uri = choices.today.size_of_other && state_.measures_hand()
+                          ? session::with_size_of_other(choices.device_uri)
+                          : choices.device_uri;
   config.apparatuses = started.apparatuses;
   config.library = started.library;
   config.software_version = started.software_version;
@@ -102,7 +105,13 @@ void Connecting::take(Result<std::unique_ptr<session::Session>> opened,
     Error error = opened.error();
     const bool asks_clock = error.field == "clock";
     if (asks_clock) error.remedy = "set the clock, or connect again if it is right"_text;
-    state_.connection.failure = {translated(error).toStdString(), false, asks_clock};
+    const bool asks_basis = error.field == "consent";
+    const auto words = asks_basis
+                           ? translated(
+                                 "No lawful basis is on record for a camera that sees this person. "
+                                 "Record it in the step Tracker, then connect again."_text)
+                           : translated(error);
+    state_.connection.failure = {words.toStdString(), false, asks_clock, asks_basis};
     room_.begin();  // perhaps the disk is full
   }
   flow_.update();
@@ -157,8 +166,14 @@ void Connecting::end_session() {
   close();
 }
 
+void Connecting::basis_recorded() {
+  if (!state_.connection.failure || !state_.connection.failure->asks_basis) return;
+  state_.connection.failure.reset();
+  flow_.update();
+}
+
 void Connecting::break_off(const std::string& why) {
-  state_.connection.failure = {why, true, false};
+  state_.connection.failure = {why, true, false, false};
   keep_broken_trial(why);
   close();
 }
@@ -188,7 +203,7 @@ void Connecting::close() {
     connection.phase = Connection::none;
     connection.lost = lost;
     if (lost && !state_.broken_off())  // the last look found it
-      connection.failure = {translated(*lost).toStdString(), true, false};
+      connection.failure = {translated(*lost).toStdString(), true, false, false};
     choices_.ask_anew();
     clinic_.load_history(state_.choices.patient);
     flow_.update();

@@ -27,6 +27,8 @@ class Connecting {
   void disconnect_device();
   /// At once, whatever is running or being opened: the program is about to end.
   void end_session();
+  /// A lawful basis was recorded: what was refused for want of one may be tried again.
+  void basis_recorded();
   /// It cannot go on: why. @pre a session is open
   void break_off(const std::string& why);
   /// Once a poll: a full disk is no reason any more when it has room again.

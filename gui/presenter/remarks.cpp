@@ -18,16 +18,27 @@ void Remarks::rate_pain(int pain) {
   store_rating();
 }
 
+void Remarks::rate_shoulder_pain(int pain) {
+  if (!state_.open) return;
+  state_.open->rating.shoulder_pain = pain;
+  store_rating();
+}
+
 void Remarks::store_rating() {
   OpenSession& open = *state_.open;
   Rating& rating = open.rating;
-  if (rating.effort && rating.pain) {
-    const auto reason = rating.corrects ? open.session->correct_rating(*rating.effort, *rating.pain)
-                                        : open.session->rate(*rating.effort, *rating.pain);
+  const bool whole =
+      rating.effort && rating.pain && (rating.shoulder_pain || !state_.measures_hand());
+  if (whole) {
+    const int effort = *rating.effort;
+    const int pain = *rating.pain;
+    const auto reason = rating.corrects
+                            ? open.session->correct_rating(effort, pain, rating.shoulder_pain)
+                            : open.session->rate(effort, pain, rating.shoulder_pain);
     rating.stop_reason = reason.value_or(Text());
     if (!rating.stop_reason.empty()) open.work.guide.go_on(false);
     if (!rating.corrects) open.work.guide.rated();
-    rating.last = Rating::Answer{*rating.effort, *rating.pain};
+    rating.last = Rating::Answer{effort, pain, rating.shoulder_pain};
     rating.corrects = true;
   }
   flow_.update();
@@ -38,6 +49,7 @@ void Remarks::show_rated() {
   Rating& rating = state_.open->rating;
   rating.effort = rating.last->effort;
   rating.pain = rating.last->pain;
+  rating.shoulder_pain = rating.last->shoulder_pain;
   rating.corrects = true;
   flow_.update();
 }
@@ -47,6 +59,7 @@ void Remarks::ask_rating_anew() {
   if (!rating.corrects) return;
   rating.effort.reset();
   rating.pain.reset();
+  rating.shoulder_pain.reset();
   rating.corrects = false;
 }
 

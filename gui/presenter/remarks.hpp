@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is said of the work: effort and pain by the patient, help and notes by the therapist.
+// What is said of the work: effort and pains by the patient, help and notes by the therapist.
 // Without a session it is ignored. GUI thread.
 #pragma once
 
@@ -13,9 +13,11 @@ class Remarks {
  public:
   explicit Remarks(const ActContext& with);
 
-  /// What the patient says of the work, 0 to 10 each; nothing is stored before both are known.
+  /// What the patient says of the work, 0 to 10 each; nothing is stored before all that is asked is
+  /// known: of a tracked hand shoulder pain, too.
   void rate_effort(int effort);
   void rate_pain(int pain);
+  void rate_shoulder_pain(int pain);
   void show_rated();  ///< shows the last answer again, so that it can be corrected
   /// Another block of work begins: the last answer is no longer shown.
   void ask_rating_anew();

@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <ctime>
+#include <utility>
+
+#include "session/open_hand.hpp"
+#include "session/tracked_hand/hand_size.hpp"
 
 namespace isograsp::gui {
 
@@ -53,6 +57,7 @@ void SessionChoices::choose_hand(Hand hand) {
     today.screening = {};
     today.arm_screening = {};
     today.hand_screening = {};
+    today.size_of_other = false;
   }
   today.hand = hand;
   today.hand_confirmed = false;
@@ -91,9 +96,18 @@ void SessionChoices::answer_screening(const HandScreening& answers) {
 void SessionChoices::choose_device(const std::string& uri) {
   if (!flow_.view().may_change_device) return;
   state_.choices.device_uri = uri;
+  state_.choices.today.size_of_other = false;
   state_.choices.apparatus = session::kind_of_apparatus(uri, state_.config.apparatuses);
   state_.connection.failure.reset();
   look_for_earlier();
+  flow_.update();
+}
+
+void SessionChoices::take_size_of_other(bool take) {
+  if (!flow_.view().may_change_device || take == state_.choices.today.size_of_other) return;
+  if (take && state_.choices.other_hand_measured_on.empty()) return;
+  state_.connection.failure.reset();
+  state_.choices.today.size_of_other = take;
   flow_.update();
 }
 
@@ -124,6 +138,7 @@ void SessionChoices::ask_anew() {
 void SessionChoices::look_for_earlier() {
   const int lookup = ++lookups_;
   look_whether_first_time();
+  look_for_other_hand();
   Choices& choices = state_.choices;
   choices.interrupted = {};
   const auto& hand = choices.today.hand;
@@ -170,6 +185,31 @@ void SessionChoices::look_whether_first_time() {
       [this, lookup = lookups_](bool first_time) {
         if (lookup != lookups_) return;
         state_.choices.first_time = first_time;
+        flow_.update();
+      });
+}
+
+/// What a tracker measured of the other hand; a simulated tracker tells it of simulated hands.
+void SessionChoices::look_for_other_hand() {
+  Choices& choices = state_.choices;
+  choices.other_hand_measured_on.clear();
+  const auto& hand = choices.today.hand;
+  if (choices.patient.empty() || !hand || !state_.measures_hand()) return;
+  if (session::says_size(choices.device_uri)) return;  // nothing to choose
+  (void)clinic_.read(
+      this,
+      [code = choices.patient, hand = *hand,
+       simulated = state_.simulated()](storage::SessionStore& store) -> std::string {
+        const auto patient = store.find_patient(code);
+        if (!patient || !*patient) return {};
+        const auto measured = session::other_hand_measured(store, (*patient)->id, hand, simulated);
+        return measured && *measured ? (*measured)->on_date : std::string();
+      },
+      [this, lookup = lookups_](std::string on_date) {
+        if (lookup != lookups_) return;
+        state_.choices.other_hand_measured_on = std::move(on_date);
+        if (state_.choices.other_hand_measured_on.empty())
+          state_.choices.today.size_of_other = false;
         flow_.update();
       });
 }

@@ -25,6 +25,8 @@ class SessionChoices final : public QObject {
   void answer_screening(const ArmScreening& answers);
   void answer_screening(const HandScreening& answers);
   void choose_device(const std::string& uri);
+  /// A tracked hand that cannot open has the size of the other one, or its own again.
+  void take_size_of_other(bool take);
   /// Place in the library; nothing: tasks are chosen one by one.
   void choose_protocol(std::optional<int> place);
   /// An interrupted protocol may be taken up: go on with it, or begin anew.
@@ -34,8 +36,8 @@ class SessionChoices final : public QObject {
 
   /// Before every session: hand and screening.
   void ask_anew();
-  /// Asks the database whether the chosen protocol was interrupted today, and whether this hand
-  /// has worked with such a device before.
+  /// Asks the database whether the chosen protocol was interrupted today, whether this hand has
+  /// worked with such a device before, and whether the other one was measured.
   void look_for_earlier();
 
  private:
@@ -45,6 +47,7 @@ class SessionChoices final : public QObject {
   PersonFile& file_;
   Seating& seating_;
   void look_whether_first_time();
+  void look_for_other_hand();
 
   int lookups_ = 0;  ///< the newest one counts
 };

@@ -113,7 +113,10 @@ FlowFacts SessionFlow::facts() const {
   facts.earlier_undecided = choices.interrupted.acts.has_value() && !choices.interrupted.go_on;
   facts.device_chosen = !choices.device_uri.empty();
   facts.connection = state_.connection.phase;
-  if (state_.connection.failure) facts.connection_error = state_.connection.failure->words;
+  if (state_.connection.failure) {
+    facts.connection_error = state_.connection.failure->words;
+    facts.basis_missing = state_.connection.failure->asks_basis;
+  }
   facts.recorded = state_.recorded();
   facts.start_posture = state_.measures_arm();
   facts.hand_entry = state_.measures_hand();

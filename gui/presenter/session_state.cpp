@@ -67,6 +67,11 @@ bool SessionState::measures_hand() const noexcept {
   return (open ? open->session->known().apparatus.kind : choices.apparatus) == kTrackedHand;
 }
 
+bool SessionState::watches_hand() const noexcept {
+  if (open) return measures_hand() && open->session->known().apparatus.watches_person;
+  return measures_hand() && !simulated() && choices.device_uri.rfind("replay://", 0) != 0;
+}
+
 bool SessionState::simulated() const noexcept {
   if (open) return open->session->known().device.simulated;
   return choices.device_uri.rfind("sim://", 0) == 0;

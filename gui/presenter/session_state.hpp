@@ -58,6 +58,7 @@ struct Choices {
     Screening screening;
     ArmScreening arm_screening;    ///< of an arm seen by cameras, in its place
     HandScreening hand_screening;  ///< of a tracked hand, in its place
+    bool size_of_other = false;  ///< a tracked hand that cannot open has the size of the other one
   } today;
 
   /// A protocol that was interrupted today, for all that is chosen above.
@@ -69,6 +70,9 @@ struct Choices {
 
   /// The database holds no session of this hand with this apparatus.
   bool first_time = false;
+  /// Day of the entry test in which a tracker measured the other hand of the patient; empty: there
+  /// was none.
+  std::string other_hand_measured_on;
 };
 
 /// The connection to the device. Made anew by every attempt to connect.
@@ -77,6 +81,7 @@ struct ConnectionState {
     std::string words;
     bool broken_off = false;  ///< a session could not go on
     bool asks_clock = false;  ///< whether the clock is right; connecting again says yes
+    bool asks_basis = false;  ///< a lawful basis is to be recorded first
   };
 
   Connection phase = Connection::none;
@@ -145,10 +150,12 @@ struct Rating {
   struct Answer {
     int effort = 0;
     int pain = 0;
+    std::optional<int> shoulder_pain;  ///< of a tracked hand
   };
   std::optional<int> effort;
   std::optional<int> pain;
-  bool corrects = false;       ///< both are the last answer: another number corrects it
+  std::optional<int> shoulder_pain;
+  bool corrects = false;       ///< all are the last answer: another number corrects it
   std::optional<Answer> last;  ///< of this session
   Text stop_reason;            ///< why work should end
 };
@@ -240,6 +247,8 @@ struct SessionState {
   [[nodiscard]] bool measures_arm() const noexcept;
   /// A tracker that sees a hand is.
   [[nodiscard]] bool measures_hand() const noexcept;
+  /// … with a camera that looks at the person.
+  [[nodiscard]] bool watches_hand() const noexcept;
 
   // Of the session that is open; else as if nothing had happened yet.
   [[nodiscard]] const session::Snapshot& snapshot() const noexcept;

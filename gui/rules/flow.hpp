@@ -59,6 +59,7 @@ struct FlowFacts {
   bool device_chosen = false;
   Connection connection = Connection::none;
   std::string connection_error;  ///< why the last attempt failed, or why the session ends or ended
+  bool basis_missing = false;    ///< … because no lawful basis is on record for a camera
   bool recorded = false;         ///< a replayed recording: nobody takes a hand out
   bool frozen = false;           ///< no new frame for longer than kFrozenAfter_s
   bool anything_arrived = false;
@@ -207,6 +208,7 @@ enum class NextPress : std::uint8_t {
   screening,
   earlier,
   device,
+  basis,  ///< to record on which a camera may look at this person
   connect,
   zero,
   strap,

@@ -24,6 +24,7 @@ NextPress press_for(Situation situation, const FlowFacts& facts, const FlowView&
   switch (situation) {
     case Situation::session_failed:
       if (facts.connection != Connection::none) return NextPress::none;
+      if (facts.basis_missing && view.may_connect) return NextPress::basis;
       return press_for(before_session(facts), facts, view);
     case Situation::choose_patient: return if_possible(view.may_change_patient, NextPress::patient);
     case Situation::confirm_hand: return if_possible(view.may_change_hand, NextPress::confirm_hand);

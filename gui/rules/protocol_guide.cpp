@@ -3,9 +3,11 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <utility>
 
 #include "gui/words/texts.hpp"
 #include "tasks/agenda.hpp"
+#include "tasks/kinds/hand/virtual_pick_place.hpp"
 
 namespace isograsp::gui {
 
@@ -131,9 +133,11 @@ void ProtocolGuide::trial_ended(const session::TrialOutcome& outcome, double ses
     return;
   }
   if (!rest_is_next()) worked_ = true;
+  const bool bout = act_->task->kind.get_if<tasks::VirtualPickPlaceSpec>() != nullptr;
   instructed_.push_back(act_->task->file);
   walk_->made(outcome, session_time_s);
   look(session_time_s);
+  if (bout && std::exchange(worked_, false)) rating_due_ = true;  // a block of its own
 }
 
 void ProtocolGuide::skip(double session_time_s) {

@@ -61,7 +61,7 @@ class ProtocolGuide {
   void skip(double session_time_s);  ///< the act, with all further attempts at its task
   void tick(double session_time_s);  ///< pauses end by time
 
-  /// A block of work is over and the patient has not been asked yet.
+  /// A block of work, or a bout of placements, is over and the patient has not been asked yet.
   [[nodiscard]] bool rating_due() const noexcept { return rating_due_; }
   void rated() noexcept { rating_due_ = false; }
 

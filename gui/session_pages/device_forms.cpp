@@ -9,6 +9,8 @@
 
 #include "gui/arm_pages/cameras_dialog.hpp"
 #include "gui/arm_pages/first_visit_offer.hpp"
+#include "gui/hand_pages/basis_view.hpp"
+#include "gui/hand_pages/size_offer.hpp"
 #include "gui/look/look.hpp"
 #include "gui/session_pages/device_list.hpp"
 
@@ -29,7 +31,7 @@ QProgressBar* make_progress(const QString& name, const QString& what) {
 
 }  // namespace
 
-ConnectForm::ConnectForm(SessionPresenter& presenter, QWidget* parent)
+ConnectForm::ConnectForm(SessionPresenter& presenter, Staff& staff, QWidget* parent)
     : QWidget(parent), presenter_(presenter) {
   devices_ = new QListWidget;
   devices_->setObjectName("devices");
@@ -45,6 +47,8 @@ ConnectForm::ConnectForm(SessionPresenter& presenter, QWidget* parent)
   column->setSpacing(7);
   column->addWidget(devices_);
   column->addWidget(new FirstVisitOffer(presenter_));
+  column->addWidget(new SizeOffer(presenter_));
+  column->addWidget(new BasisView(presenter_, staff));
   column->addWidget(connect_);
   column->addWidget(progress_);
   fill(presenter_.state().choices.device_uri);

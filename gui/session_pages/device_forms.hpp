@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QWidget>
 
+#include "gui/clinic/staff.hpp"
 #include "gui/presenter/session_presenter.hpp"
 
 namespace isograsp::gui {
@@ -18,7 +19,7 @@ class ConnectForm final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit ConnectForm(SessionPresenter& presenter, QWidget* parent = nullptr);
+  ConnectForm(SessionPresenter& presenter, Staff& staff, QWidget* parent = nullptr);
 
  private:
   void fill(const std::string& preset);

@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "gui/hand_pages/hand_words.hpp"
+#include "gui/hand_pages/size_offer.hpp"
 #include "gui/look/look.hpp"
 #include "gui/words/texts.hpp"
 
@@ -37,6 +38,10 @@ EntryForm::EntryForm(SessionPresenter& presenter, QWidget* parent)
   words_ = new QLabel;
   words_->setObjectName("entry_words");
   words_->setWordWrap(true);
+  size_ = new QLabel;
+  size_->setObjectName("entry_size");
+  size_->setProperty("role", "quiet");
+  size_->setWordWrap(true);
   begin_ = new QPushButton;
   begin_->setObjectName("entry_test");
   progress_ = new QProgressBar;
@@ -56,6 +61,7 @@ EntryForm::EntryForm(SessionPresenter& presenter, QWidget* parent)
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(7);
   column->addLayout(state);
+  column->addWidget(size_);
   column->addWidget(progress_);
   column->addWidget(result_);
   column->addWidget(begin_);
@@ -68,6 +74,8 @@ EntryForm::EntryForm(SessionPresenter& presenter, QWidget* parent)
 void EntryForm::refresh() {
   const auto& view = presenter_.flow().view();
   show_part(*this, view.hand_entry);
+  size_->setText(size_words(presenter_.state()));
+  size_->setVisible(!size_->text().isEmpty());
   const auto& open = presenter_.state().open;
   const Text refusal = open ? open->preparation.zero_refusal : Text();
   const bool passed = open && open->hand && open->hand->opening_m > 0.0;

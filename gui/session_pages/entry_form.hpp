@@ -27,6 +27,7 @@ class EntryForm final : public QWidget {
   SessionPresenter& presenter_;
   StateLight* light_;
   QLabel* words_;
+  QLabel* size_;  ///< whose it is, if it is not its own
   QPushButton* begin_;
   QProgressBar* progress_;
   QLabel* result_;

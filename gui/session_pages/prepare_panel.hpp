@@ -7,6 +7,7 @@
 #include <array>
 #include <functional>
 
+#include "gui/clinic/staff.hpp"
 #include "gui/presenter/session_presenter.hpp"
 #include "gui/session_pages/step_section.hpp"
 
@@ -16,7 +17,7 @@ class PreparePanel final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit PreparePanel(SessionPresenter& presenter, QWidget* parent = nullptr);
+  PreparePanel(SessionPresenter& presenter, Staff& staff, QWidget* parent = nullptr);
 
  Q_SIGNALS:
   void other_patient();  ///< the therapist wants to choose one

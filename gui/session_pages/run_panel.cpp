@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/session_pages/run_panel.hpp"
 
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 #include <QStyle>
 #include <algorithm>
 #include <initializer_list>
 #include <optional>
+#include <tuple>
+#include <utility>
 
 #include "gui/library/task_groups.hpp"
 #include "gui/look/look.hpp"
@@ -14,6 +17,30 @@
 #include "gui/words/texts.hpp"
 
 namespace isograsp::gui {
+
+namespace {
+
+QString kept_words(const Rating::Answer& answer) {
+  if (answer.shoulder_pain)
+    return RatingPanel::tr("Kept: effort %1, pain %2, shoulder %3. Another number corrects it.")
+        .arg(answer.effort)
+        .arg(answer.pain)
+        .arg(*answer.shoulder_pain);
+  return RatingPanel::tr("Kept: effort %1, pain %2. Another number corrects it.")
+      .arg(answer.effort)
+      .arg(answer.pain);
+}
+
+QString correct_words(const Rating::Answer& answer) {
+  if (answer.shoulder_pain)
+    return RatingPanel::tr("Correct: effort %1, pain %2, shoulder %3")
+        .arg(answer.effort)
+        .arg(answer.pain)
+        .arg(*answer.shoulder_pain);
+  return RatingPanel::tr("Correct: effort %1, pain %2").arg(answer.effort).arg(answer.pain);
+}
+
+}  // namespace
 
 RunPanel::RunPanel(SessionPresenter& presenter, QWidget* parent)
     : Card({}, parent), presenter_(presenter) {
@@ -336,26 +363,25 @@ void RunPanel::refresh_progress() {
 
 RatingPanel::RatingPanel(SessionPresenter& presenter, QWidget* parent)
     : Card(tr("The patient says"), parent), presenter_(presenter) {
-  effort_ = new ScoreRow("effort", tr("Effort"));
-  pain_ = new ScoreRow("pain", tr("Pain"));
   remark_ = new QLabel;
   remark_->setObjectName("rating_remark");
   remark_->setProperty("role", "quiet");
   remark_->setWordWrap(true);
-  const QStringList questions{tr("Effort", "beside its numbers"), tr("Pain", "beside its numbers")};
-  int widest_px = 0;
-  for (const auto& words : questions)
-    widest_px = std::max(widest_px, QLabel(words).sizeHint().width());
-  const auto add = [&](const QString& words, ScoreRow* row) {
-    auto* line = new QHBoxLayout;
+  auto* questions = new QGridLayout;
+  questions->setColumnStretch(1, 1);
+  const auto add = [&](const QString& words, const char* name, const QString& question) {
+    auto* row = new ScoreRow(name, question);
     auto* label = new QLabel(words);
-    label->setFixedWidth(widest_px);
-    line->addWidget(label);
-    line->addWidget(row, 1);
-    column_->addLayout(line);
+    const int place = questions->rowCount();
+    questions->addWidget(label, place, 0);
+    questions->addWidget(row, place, 1);
+    return std::pair(label, row);
   };
-  add(questions[0], effort_);
-  add(questions[1], pain_);
+  effort_ = add(tr("Effort", "beside its numbers"), "effort", tr("Effort")).second;
+  pain_ = add(tr("Pain", "beside its numbers"), "pain", tr("Pain")).second;
+  std::tie(shoulder_words_, shoulder_) =
+      add(tr("Shoulder", "beside its numbers"), "shoulder_pain", tr("Shoulder pain"));
+  column_->addLayout(questions);
   correct_ = new QPushButton;
   correct_->setObjectName("rating_correct");
   connect(correct_, &QPushButton::clicked, this, [this] { presenter_.remarks().show_rated(); });
@@ -365,6 +391,8 @@ RatingPanel::RatingPanel(SessionPresenter& presenter, QWidget* parent)
           [this](int effort) { presenter_.remarks().rate_effort(effort); });
   connect(pain_, &ScoreRow::chosen, this,
           [this](int pain) { presenter_.remarks().rate_pain(pain); });
+  connect(shoulder_, &ScoreRow::chosen, this,
+          [this](int pain) { presenter_.remarks().rate_shoulder_pain(pain); });
   connect(&presenter_.flow(), &SessionFlow::changed, this, &RatingPanel::refresh);
   refresh();
 }
@@ -374,23 +402,21 @@ void RatingPanel::refresh() {
   const bool possible =
       presenter_.state().session_open() && presenter_.state().traces().last_trial.has_value();
   setVisible(possible);
+  const bool of_shoulder = presenter_.state().measures_hand();
+  show_part(*shoulder_words_, of_shoulder);
+  show_part(*shoulder_, of_shoulder);
   const Rating& rating = presenter_.state().rating();
   effort_->show_value(rating.effort);
   pain_->show_value(rating.pain);
-  const auto& rated = rating.last;
-  const bool corrects = rating.corrects;
-  const bool half = rating.effort.has_value() != rating.pain.has_value();
-  remark_->setText(corrects ? tr("Kept: effort %1, pain %2. Another number corrects it.")
-                                  .arg(rated->effort)
-                                  .arg(rated->pain)
-                   : half ? tr("The other number is missing: nothing is kept yet.")
-                   : due  ? tr("0: none, 10: the most. Asked after every block.")
-                          : QString());
+  shoulder_->show_value(rating.shoulder_pain);
+  const bool begun = rating.effort || rating.pain || rating.shoulder_pain;
+  remark_->setText(rating.corrects ? kept_words(*rating.last)
+                   : begun         ? tr("A number is missing: nothing is kept yet.")
+                   : due           ? tr("0: none, 10: the most. Asked after every block.")
+                                   : QString());
   remark_->setVisible(!remark_->text().isEmpty());
-  correct_->setVisible(rated && !corrects);
-  correct_->setText(tr("Correct: effort %1, pain %2")
-                        .arg(rated ? rated->effort : 0)
-                        .arg(rated ? rated->pain : 0));
+  correct_->setVisible(rating.last && !rating.corrects);
+  correct_->setText(correct_words(rating.last.value_or(Rating::Answer{})));
   describe(*correct_, correct_->text(),
            tr("Shows the last answer again; another number corrects it, and what it was is kept "
               "(Tab, then space)"));

@@ -63,7 +63,8 @@ class RunPanel final : public Card {
   QLineEdit* note_;
 };
 
-/// Effort and pain, 0 to 10 each, asked after every block of work.
+/// Effort and pain, 0 to 10 each, asked after every block of work; of a tracked hand shoulder pain,
+/// too, after every bout of placements.
 class RatingPanel final : public Card {
   Q_OBJECT
 
@@ -76,6 +77,8 @@ class RatingPanel final : public Card {
   SessionPresenter& presenter_;
   ScoreRow* effort_;
   ScoreRow* pain_;
+  QLabel* shoulder_words_;
+  ScoreRow* shoulder_;
   QLabel* remark_;
   QPushButton* correct_;
 };

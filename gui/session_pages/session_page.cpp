@@ -14,7 +14,8 @@
 
 namespace isograsp::gui {
 
-SessionPage::SessionPage(SessionPresenter& presenter, const SettingsFile& settings, QWidget* parent)
+SessionPage::SessionPage(SessionPresenter& presenter, const SettingsFile& settings, Staff& staff,
+                         QWidget* parent)
     : QWidget(parent) {
   // With large letters what is watched stands below the two columns of what is done.
   constexpr int kLargestInARow_percent = 115;
@@ -32,7 +33,7 @@ SessionPage::SessionPage(SessionPresenter& presenter, const SettingsFile& settin
     column->setSpacing(12);
     return column;
   };
-  auto* prepare = new PreparePanel(presenter);
+  auto* prepare = new PreparePanel(presenter, staff);
   connect(prepare, &PreparePanel::other_patient, this, &SessionPage::other_patient);
   auto* left = make_column(in_a_row ? 290 : 260, in_a_row ? 360 : 0);
   left->addWidget(prepare);

@@ -5,6 +5,7 @@
 #include <QWidget>
 
 #include "gui/clinic/clinic.hpp"
+#include "gui/clinic/staff.hpp"
 #include "gui/presenter/session_presenter.hpp"
 
 namespace isograsp::gui {
@@ -13,7 +14,8 @@ class SessionPage final : public QWidget {
   Q_OBJECT
 
  public:
-  SessionPage(SessionPresenter& presenter, const SettingsFile& settings, QWidget* parent = nullptr);
+  SessionPage(SessionPresenter& presenter, const SettingsFile& settings, Staff& staff,
+              QWidget* parent = nullptr);
 
  Q_SIGNALS:
   void other_patient();

@@ -204,6 +204,107 @@
     </message>
 </context>
 <context>
+    <name>Consent</name>
+    <message>
+        <source>Treatment</source>
+        <translation>Behandlung</translation>
+    </message>
+    <message>
+        <source>Research</source>
+        <comment>purpose</comment>
+        <translation>Forschung</translation>
+    </message>
+    <message>
+        <source>Teaching</source>
+        <translation>Lehre</translation>
+    </message>
+    <message>
+        <source>Consent</source>
+        <translation>Einwilligung</translation>
+    </message>
+    <message>
+        <source>Contract</source>
+        <translation>Vertrag</translation>
+    </message>
+    <message>
+        <source>Legal obligation</source>
+        <translation>Rechtliche Verpflichtung</translation>
+    </message>
+    <message>
+        <source>Vital interests</source>
+        <translation>Lebenswichtige Interessen</translation>
+    </message>
+    <message>
+        <source>Public interest</source>
+        <translation>Öffentliches Interesse</translation>
+    </message>
+    <message>
+        <source>Legitimate interest</source>
+        <translation>Berechtigtes Interesse</translation>
+    </message>
+    <message>
+        <source>Care</source>
+        <translation>Gesundheitsversorgung</translation>
+    </message>
+    <message>
+        <source>Research</source>
+        <comment>lawful basis</comment>
+        <translation>Forschung</translation>
+    </message>
+    <message>
+        <source>Art. 6 (1) a GDPR</source>
+        <translation>Art. 6 (1) a DSGVO</translation>
+    </message>
+    <message>
+        <source>Art. 6 (1) b GDPR</source>
+        <translation>Art. 6 (1) b DSGVO</translation>
+    </message>
+    <message>
+        <source>Art. 6 (1) c GDPR</source>
+        <translation>Art. 6 (1) c DSGVO</translation>
+    </message>
+    <message>
+        <source>Art. 6 (1) d GDPR</source>
+        <translation>Art. 6 (1) d DSGVO</translation>
+    </message>
+    <message>
+        <source>Art. 6 (1) e GDPR</source>
+        <translation>Art. 6 (1) e DSGVO</translation>
+    </message>
+    <message>
+        <source>Art. 6 (1) f GDPR</source>
+        <translation>Art. 6 (1) f DSGVO</translation>
+    </message>
+    <message>
+        <source>Art. 9 (2) h GDPR</source>
+        <translation>Art. 9 (2) h DSGVO</translation>
+    </message>
+    <message>
+        <source>Art. 9 (2) j GDPR</source>
+        <translation>Art. 9 (2) j DSGVO</translation>
+    </message>
+    <message>
+        <source>given</source>
+        <translation>erteilt</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>verweigert</translation>
+    </message>
+    <message>
+        <source>withdrawn</source>
+        <translation>widerrufen</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3 on %4 (%5)</source>
+        <translation>%1 %2: %3 am %4 (%5)</translation>
+    </message>
+    <message>
+        <source>%1, recorded by %2</source>
+        <translation>%1, eingetragen von %2</translation>
+    </message>
+</context>
+<context>
     <name>DeviceList</name>
     <message>
         <source>Force sensors on %1</source>
@@ -2758,6 +2859,128 @@
     </message>
 </context>
 <context>
+    <name>isograsp::gui::BasisDialog</name>
+    <message>
+        <source>choose …</source>
+        <translation>wählen …</translation>
+    </message>
+    <message>
+        <source>%1 (arrow keys)</source>
+        <translation>%1 (Pfeiltasten)</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>Lawful basis</source>
+        <translation>Rechtsgrundlage</translation>
+    </message>
+    <message>
+        <source>No camera looks at a person before a lawful basis is on record. Of each purpose the last entry counts; treatment or research must be given.</source>
+        <translation>Keine Kamera sieht einen Menschen, bevor eine Rechtsgrundlage eingetragen ist. Zu jedem Zweck zählt der letzte Eintrag; Behandlung oder Forschung muss erteilt sein.</translation>
+    </message>
+    <message>
+        <source>Purpose</source>
+        <translation>Zweck</translation>
+    </message>
+    <message>
+        <source>Basis</source>
+        <translation>Grundlage</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>Day</source>
+        <translation>Tag</translation>
+    </message>
+    <message>
+        <source>Recorded by</source>
+        <translation>Eingetragen von</translation>
+    </message>
+    <message>
+        <source>What is on record</source>
+        <translation>Was eingetragen ist</translation>
+    </message>
+    <message>
+        <source>In the order in which it was recorded</source>
+        <translation>In der Reihenfolge, in der es eingetragen wurde</translation>
+    </message>
+    <message>
+        <source>Nothing is on record.</source>
+        <translation>Nichts ist eingetragen.</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Eintragen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>When it was said or signed; Up and Down change it (Tab)</source>
+        <translation>Wann es gesagt oder unterschrieben wurde; Pfeil auf und ab ändern ihn (Tab)</translation>
+    </message>
+    <message>
+        <source>such as the version of the form</source>
+        <translation>etwa die Fassung des Formulars</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>Bemerkung</translation>
+    </message>
+    <message>
+        <source>Such as the version of the form; may be left empty (Tab)</source>
+        <translation>Etwa die Fassung des Formulars; kann leer bleiben (Tab)</translation>
+    </message>
+    <message>
+        <source>Give the day on which it was said.</source>
+        <translation>Geben Sie den Tag an, an dem es gesagt wurde.</translation>
+    </message>
+    <message>
+        <source>Adds this entry under your name; it is not changed any more (Enter)</source>
+        <translation>Fügt diesen Eintrag unter Ihrem Namen hinzu; er wird nicht mehr geändert (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Choose purpose, basis and answer first</source>
+        <translation>Wählen Sie zuerst Zweck, Grundlage und Antwort</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::BasisView</name>
+    <message>
+        <source>Lawful basis …</source>
+        <translation>Rechtsgrundlage …</translation>
+    </message>
+    <message>
+        <source>Lawful basis of this person</source>
+        <translation>Rechtsgrundlage zu diesem Menschen</translation>
+    </message>
+    <message>
+        <source>Shows what is on record, and records one more entry (Tab, then space)</source>
+        <translation>Zeigt, was eingetragen ist, und trägt einen weiteren Eintrag ein (Tab, dann Leertaste)</translation>
+    </message>
+    <message>
+        <source>Looking for a lawful basis …</source>
+        <translation>Eine Rechtsgrundlage wird gesucht …</translation>
+    </message>
+    <message>
+        <source>⚠ %1</source>
+        <translation>⚠ %1</translation>
+    </message>
+    <message>
+        <source>✗ No camera may look at this person: no lawful basis is on record.</source>
+        <translation>✗ Keine Kamera darf diesen Menschen sehen: Es ist keine Rechtsgrundlage eingetragen.</translation>
+    </message>
+    <message>
+        <source>No camera may look at this person:</source>
+        <translation>Keine Kamera darf diesen Menschen sehen:</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::CamerasDialog</name>
     <message>
         <source>Cameras</source>
@@ -3563,6 +3786,80 @@ Neu verbunden: %7</translation>
     <message>
         <source>–</source>
         <translation>–</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::FirstVisitOffer</name>
+    <message>
+        <source>Begin as a first &amp;visit</source>
+        <translation>Erstbesuch &amp;vorziehen</translation>
+    </message>
+    <message>
+        <source>Choose the protocol of a first visit</source>
+        <translation>Das Protokoll eines ersten Besuchs wählen</translation>
+    </message>
+    <message>
+        <source>It begins with practice in bouts (Alt+V)</source>
+        <translation>Es beginnt mit Übung in Abschnitten (Alt+V)</translation>
+    </message>
+    <message>
+        <source>This arm has not worked with the cameras before. “%1” begins with %2 minutes of practice.</source>
+        <translation>Dieser Arm hat noch nie mit den Kameras gearbeitet. „%1“ beginnt mit %2 Minuten Übung.</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::GraspView</name>
+    <message>
+        <source>Hold, weakest direction (G min)</source>
+        <translation>Halt, schwächste Richtung (G min)</translation>
+    </message>
+    <message>
+        <source>Hand, weakest direction (H min)</source>
+        <translation>Hand, schwächste Richtung (H min)</translation>
+    </message>
+    <message>
+        <source>Hand, on the whole (H det)</source>
+        <translation>Hand, insgesamt (H det)</translation>
+    </message>
+    <message>
+        <source>%1: pull</source>
+        <translation>%1: Zug</translation>
+    </message>
+    <message>
+        <source>%1: how hard it pulls away, as a share of the pull at which its tie lets go</source>
+        <translation>%1: wie stark er wegzieht, als Anteil des Zugs, bei dem die Verbindung loslässt</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>%1 of %2 N</source>
+        <translation>%1 von %2 N</translation>
+    </message>
+    <message>
+        <source>Grasp: no object is there.</source>
+        <translation>Griff: Es ist kein Objekt da.</translation>
+    </message>
+    <message>
+        <source>Grasp: fewer than two fingers touch.</source>
+        <translation>Griff: weniger als zwei Finger berühren.</translation>
+    </message>
+    <message>
+        <source>Grasp: ✓ it holds, and may be helped.</source>
+        <translation>Griff: ✓ er hält und darf Hilfe haben.</translation>
+    </message>
+    <message>
+        <source>Grasp: ✗ only the help holds it.</source>
+        <translation>Griff: ✗ nur die Hilfe hält ihn.</translation>
+    </message>
+    <message>
+        <source>Grasp: ✗ it does not hold yet.</source>
+        <translation>Griff: ✗ er hält noch nicht.</translation>
+    </message>
+    <message>
+        <source>above %1</source>
+        <translation>über %1</translation>
     </message>
 </context>
 <context>
@@ -4587,6 +4884,73 @@ Neu verbunden: %7</translation>
     </message>
 </context>
 <context>
+    <name>isograsp::gui::PictureCheckView</name>
+    <message>
+        <source>The hand is moved to the right, up and away, towards the screen; the picture must do the same. Before the first object (Tab, then space)</source>
+        <translation>Die Hand bewegt sich nach rechts, nach oben und weg, zum Bildschirm hin; das Bild muss dasselbe tun. Vor dem ersten Gegenstand (Tab, dann Leertaste)</translation>
+    </message>
+    <message>
+        <source>The hand moves 10 cm to the right, and rests.</source>
+        <translation>Die Hand bewegt sich 10 cm nach rechts und ruht.</translation>
+    </message>
+    <message>
+        <source>It moves 10 cm up, and rests.</source>
+        <translation>Sie bewegt sich 10 cm nach oben und ruht.</translation>
+    </message>
+    <message>
+        <source>It moves 10 cm away, towards the screen, and rests.</source>
+        <translation>Sie bewegt sich 10 cm weg, zum Bildschirm hin, und ruht.</translation>
+    </message>
+    <message>
+        <source>The hand is held still where the tracker sees it.</source>
+        <translation>Die Hand bleibt ruhig, wo die Handverfolgung sie sieht.</translation>
+    </message>
+    <message>
+        <source>✓ The picture moves as the hand does.</source>
+        <translation>✓ Das Bild bewegt sich wie die Hand.</translation>
+    </message>
+    <message>
+        <source>✗ In the picture it went %1° off. Once more; if it stays so, the tracker stands another way than its program says: no object comes.</source>
+        <translation>✗ Im Bild ging sie %1° daneben. Noch einmal; bleibt es so, steht die Handverfolgung anders, als ihr Programm sagt: Es kommt kein Gegenstand.</translation>
+    </message>
+    <message>
+        <source>Stop the check</source>
+        <translation>Prüfung beenden</translation>
+    </message>
+    <message>
+        <source>Check the picture</source>
+        <translation>Bild prüfen</translation>
+    </message>
+    <message>
+        <source>You move the object to the right, up and away, towards the screen; the picture must do the same. Before the first trial (Tab, then space)</source>
+        <translation>Sie bewegen den Gegenstand nach rechts, nach oben und von sich weg zum Bildschirm; das Bild muss dasselbe tun. Vor dem ersten Versuch (Tab, dann Leertaste)</translation>
+    </message>
+    <message>
+        <source>Move the object 10 cm to the right, seen by the patient, and rest.</source>
+        <translation>Den Gegenstand 10 cm nach rechts, vom Patienten aus, dann ruhen.</translation>
+    </message>
+    <message>
+        <source>Move it 10 cm up, and rest.</source>
+        <translation>10 cm nach oben, dann ruhen.</translation>
+    </message>
+    <message>
+        <source>Move it 10 cm away, towards the screen, and rest.</source>
+        <translation>10 cm weg, zum Bildschirm hin, dann ruhen.</translation>
+    </message>
+    <message>
+        <source>Hold the object still where the cameras see it.</source>
+        <translation>Den Gegenstand stillhalten, wo die Kameras ihn sehen.</translation>
+    </message>
+    <message>
+        <source>✓ The picture moves as the object does.</source>
+        <translation>✓ Das Bild bewegt sich wie der Gegenstand.</translation>
+    </message>
+    <message>
+        <source>✗ In the picture it went %1° off. Once more; if it stays so, [view] of the rig names other axes: nothing begins that is done by this picture.</source>
+        <translation>✗ Im Bild ging er %1° daneben. Noch einmal; bleibt es so, nennt [view] des Markersatzes andere Achsen: Nach diesem Bild beginnt kein Versuch.</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::PostureDesk</name>
     <message>
         <source>Not recorded: the arm moved by %1 mm (SD). Hold it still.</source>
@@ -5212,10 +5576,6 @@ Neu verbunden: %7</translation>
         <translation>Behalten: Anstrengung %1, Schmerz %2. Eine andere Zahl berichtigt.</translation>
     </message>
     <message>
-        <source>The other number is missing: nothing is kept yet.</source>
-        <translation>Die andere Zahl fehlt: noch ist nichts behalten.</translation>
-    </message>
-    <message>
         <source>Correct: effort %1, pain %2</source>
         <translation>Ändern: Anstrengung %1, Schmerz %2</translation>
     </message>
@@ -5248,6 +5608,27 @@ Neu verbunden: %7</translation>
         <source>Pain</source>
         <comment>beside its numbers</comment>
         <translation>Schmerz</translation>
+    </message>
+    <message>
+        <source>Kept: effort %1, pain %2, shoulder %3. Another number corrects it.</source>
+        <translation>Behalten: Anstrengung %1, Schmerz %2, Schulter %3. Eine andere Zahl berichtigt.</translation>
+    </message>
+    <message>
+        <source>Correct: effort %1, pain %2, shoulder %3</source>
+        <translation>Ändern: Anstrengung %1, Schmerz %2, Schulter %3</translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <comment>beside its numbers</comment>
+        <translation>Schulter</translation>
+    </message>
+    <message>
+        <source>Shoulder pain</source>
+        <translation>Schulterschmerz</translation>
+    </message>
+    <message>
+        <source>A number is missing: nothing is kept yet.</source>
+        <translation>Eine Zahl fehlt: noch ist nichts behalten.</translation>
     </message>
 </context>
 <context>
@@ -6174,6 +6555,33 @@ Neu verbunden: %7</translation>
     </message>
 </context>
 <context>
+    <name>isograsp::gui::SizeOffer</name>
+    <message>
+        <source>It has the size of the left hand</source>
+        <translation>Größe der linken Hand nehmen</translation>
+    </message>
+    <message>
+        <source>It has the size of the right hand</source>
+        <translation>Größe der rechten Hand nehmen</translation>
+    </message>
+    <message>
+        <source>For a hand that cannot open: the other one, mirrored; stored with the session (Tab, then space)</source>
+        <translation>Für eine Hand, die sich nicht öffnen kann: die andere, gespiegelt; wird mit der Sitzung gespeichert (Tab, dann Leertaste)</translation>
+    </message>
+    <message>
+        <source>For a hand that cannot open. Measured in the entry test of %1.</source>
+        <translation>Für eine Hand, die sich nicht öffnen kann. Gemessen im Eingangstest vom %1.</translation>
+    </message>
+    <message>
+        <source>Size: that of the left hand, entry test of %1.</source>
+        <translation>Größe: die der linken Hand, Eingangstest vom %1.</translation>
+    </message>
+    <message>
+        <source>Size: that of the right hand, entry test of %1.</source>
+        <translation>Größe: die der rechten Hand, Eingangstest vom %1.</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::StableCard</name>
     <message>
         <source>Judged stable</source>
@@ -6642,7 +7050,7 @@ Neu verbunden: %7</translation>
     </message>
     <message>
         <source>Tracker</source>
-        <translation>Handverfolgung</translation>
+        <translation>Tracker</translation>
     </message>
 </context>
 <context>
@@ -7020,147 +7428,6 @@ Neuester Wert %3.%4 Pfeiltasten gehen zum nächsten Bild, Eingabe oder ein Klick
     <message>
         <source>Measuring the empty device</source>
         <translation>Das leere Gerät wird gemessen</translation>
-    </message>
-</context>
-<context>
-    <name>isograsp::gui::GraspView</name>
-    <message>
-        <source>Hold, weakest direction (G min)</source>
-        <translation>Halt, schwächste Richtung (G min)</translation>
-    </message>
-    <message>
-        <source>Hand, weakest direction (H min)</source>
-        <translation>Hand, schwächste Richtung (H min)</translation>
-    </message>
-    <message>
-        <source>Hand, on the whole (H det)</source>
-        <translation>Hand, insgesamt (H det)</translation>
-    </message>
-    <message>
-        <source>%1: pull</source>
-        <translation>%1: Zug</translation>
-    </message>
-    <message>
-        <source>%1: how hard it pulls away, as a share of the pull at which its tie lets go</source>
-        <translation>%1: wie stark er wegzieht, als Anteil des Zugs, bei dem die Verbindung loslässt</translation>
-    </message>
-    <message>
-        <source>–</source>
-        <translation>–</translation>
-    </message>
-    <message>
-        <source>%1 of %2 N</source>
-        <translation>%1 von %2 N</translation>
-    </message>
-    <message>
-        <source>Grasp: no object is there.</source>
-        <translation>Griff: Es ist kein Objekt da.</translation>
-    </message>
-    <message>
-        <source>Grasp: fewer than two fingers touch.</source>
-        <translation>Griff: weniger als zwei Finger berühren.</translation>
-    </message>
-    <message>
-        <source>Grasp: ✓ it holds, and may be helped.</source>
-        <translation>Griff: ✓ er hält und darf Hilfe haben.</translation>
-    </message>
-    <message>
-        <source>Grasp: ✗ only the help holds it.</source>
-        <translation>Griff: ✗ nur die Hilfe hält ihn.</translation>
-    </message>
-    <message>
-        <source>Grasp: ✗ it does not hold yet.</source>
-        <translation>Griff: ✗ er hält noch nicht.</translation>
-    </message>
-    <message>
-        <source>above %1</source>
-        <translation>über %1</translation>
-    </message>
-</context>
-<context>
-    <name>isograsp::gui::FirstVisitOffer</name>
-    <message>
-        <source>Begin as a first &amp;visit</source>
-        <translation>Erstbesuch &amp;vorziehen</translation>
-    </message>
-    <message>
-        <source>Choose the protocol of a first visit</source>
-        <translation>Das Protokoll eines ersten Besuchs wählen</translation>
-    </message>
-    <message>
-        <source>It begins with practice in bouts (Alt+V)</source>
-        <translation>Es beginnt mit Übung in Abschnitten (Alt+V)</translation>
-    </message>
-    <message>
-        <source>This arm has not worked with the cameras before. “%1” begins with %2 minutes of practice.</source>
-        <translation>Dieser Arm hat noch nie mit den Kameras gearbeitet. „%1“ beginnt mit %2 Minuten Übung.</translation>
-    </message>
-</context>
-<context>
-    <name>isograsp::gui::PictureCheckView</name>
-    <message>
-        <source>The hand is moved to the right, up and away, towards the screen; the picture must do the same. Before the first object (Tab, then space)</source>
-        <translation>Die Hand bewegt sich nach rechts, nach oben und weg, zum Bildschirm hin; das Bild muss dasselbe tun. Vor dem ersten Gegenstand (Tab, dann Leertaste)</translation>
-    </message>
-    <message>
-        <source>The hand moves 10 cm to the right, and rests.</source>
-        <translation>Die Hand bewegt sich 10 cm nach rechts und ruht.</translation>
-    </message>
-    <message>
-        <source>It moves 10 cm up, and rests.</source>
-        <translation>Sie bewegt sich 10 cm nach oben und ruht.</translation>
-    </message>
-    <message>
-        <source>It moves 10 cm away, towards the screen, and rests.</source>
-        <translation>Sie bewegt sich 10 cm weg, zum Bildschirm hin, und ruht.</translation>
-    </message>
-    <message>
-        <source>The hand is held still where the tracker sees it.</source>
-        <translation>Die Hand bleibt ruhig, wo die Handverfolgung sie sieht.</translation>
-    </message>
-    <message>
-        <source>✓ The picture moves as the hand does.</source>
-        <translation>✓ Das Bild bewegt sich wie die Hand.</translation>
-    </message>
-    <message>
-        <source>✗ In the picture it went %1° off. Once more; if it stays so, the tracker stands another way than its program says: no object comes.</source>
-        <translation>✗ Im Bild ging sie %1° daneben. Noch einmal; bleibt es so, steht die Handverfolgung anders, als ihr Programm sagt: Es kommt kein Gegenstand.</translation>
-    </message>
-    <message>
-        <source>Stop the check</source>
-        <translation>Prüfung beenden</translation>
-    </message>
-    <message>
-        <source>Check the picture</source>
-        <translation>Bild prüfen</translation>
-    </message>
-    <message>
-        <source>You move the object to the right, up and away, towards the screen; the picture must do the same. Before the first trial (Tab, then space)</source>
-        <translation>Sie bewegen den Gegenstand nach rechts, nach oben und von sich weg zum Bildschirm; das Bild muss dasselbe tun. Vor dem ersten Versuch (Tab, dann Leertaste)</translation>
-    </message>
-    <message>
-        <source>Move the object 10 cm to the right, seen by the patient, and rest.</source>
-        <translation>Den Gegenstand 10 cm nach rechts, vom Patienten aus, dann ruhen.</translation>
-    </message>
-    <message>
-        <source>Move it 10 cm up, and rest.</source>
-        <translation>10 cm nach oben, dann ruhen.</translation>
-    </message>
-    <message>
-        <source>Move it 10 cm away, towards the screen, and rest.</source>
-        <translation>10 cm weg, zum Bildschirm hin, dann ruhen.</translation>
-    </message>
-    <message>
-        <source>Hold the object still where the cameras see it.</source>
-        <translation>Den Gegenstand stillhalten, wo die Kameras ihn sehen.</translation>
-    </message>
-    <message>
-        <source>✓ The picture moves as the object does.</source>
-        <translation>✓ Das Bild bewegt sich wie der Gegenstand.</translation>
-    </message>
-    <message>
-        <source>✗ In the picture it went %1° off. Once more; if it stays so, [view] of the rig names other axes: nothing begins that is done by this picture.</source>
-        <translation>✗ Im Bild ging er %1° daneben. Noch einmal; bleibt es so, nennt [view] des Markersatzes andere Achsen: Nach diesem Bild beginnt kein Versuch.</translation>
     </message>
 </context>
 </TS>

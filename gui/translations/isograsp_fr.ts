@@ -204,6 +204,107 @@
     </message>
 </context>
 <context>
+    <name>Consent</name>
+    <message>
+        <source>Treatment</source>
+        <translation>Traitement</translation>
+    </message>
+    <message>
+        <source>Research</source>
+        <comment>purpose</comment>
+        <translation>Recherche</translation>
+    </message>
+    <message>
+        <source>Teaching</source>
+        <translation>Enseignement</translation>
+    </message>
+    <message>
+        <source>Consent</source>
+        <translation>Consentement</translation>
+    </message>
+    <message>
+        <source>Contract</source>
+        <translation>Contrat</translation>
+    </message>
+    <message>
+        <source>Legal obligation</source>
+        <translation>Obligation légale</translation>
+    </message>
+    <message>
+        <source>Vital interests</source>
+        <translation>Intérêts vitaux</translation>
+    </message>
+    <message>
+        <source>Public interest</source>
+        <translation>Intérêt public</translation>
+    </message>
+    <message>
+        <source>Legitimate interest</source>
+        <translation>Intérêt légitime</translation>
+    </message>
+    <message>
+        <source>Care</source>
+        <translation>Soins</translation>
+    </message>
+    <message>
+        <source>Research</source>
+        <comment>lawful basis</comment>
+        <translation>Recherche</translation>
+    </message>
+    <message>
+        <source>Art. 6 (1) a GDPR</source>
+        <translation>art. 6 (1) a RGPD</translation>
+    </message>
+    <message>
+        <source>Art. 6 (1) b GDPR</source>
+        <translation>art. 6 (1) b RGPD</translation>
+    </message>
+    <message>
+        <source>Art. 6 (1) c GDPR</source>
+        <translation>art. 6 (1) c RGPD</translation>
+    </message>
+    <message>
+        <source>Art. 6 (1) d GDPR</source>
+        <translation>art. 6 (1) d RGPD</translation>
+    </message>
+    <message>
+        <source>Art. 6 (1) e GDPR</source>
+        <translation>art. 6 (1) e RGPD</translation>
+    </message>
+    <message>
+        <source>Art. 6 (1) f GDPR</source>
+        <translation>art. 6 (1) f RGPD</translation>
+    </message>
+    <message>
+        <source>Art. 9 (2) h GDPR</source>
+        <translation>art. 9 (2) h RGPD</translation>
+    </message>
+    <message>
+        <source>Art. 9 (2) j GDPR</source>
+        <translation>art. 9 (2) j RGPD</translation>
+    </message>
+    <message>
+        <source>given</source>
+        <translation>accordé</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>refusé</translation>
+    </message>
+    <message>
+        <source>withdrawn</source>
+        <translation>retiré</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3 on %4 (%5)</source>
+        <translation>%1 %2 : %3 le %4 (%5)</translation>
+    </message>
+    <message>
+        <source>%1, recorded by %2</source>
+        <translation>%1, enregistré par %2</translation>
+    </message>
+</context>
+<context>
     <name>DeviceList</name>
     <message>
         <source>Force sensors on %1</source>
@@ -254,27 +355,27 @@
     <name>Flow</name>
     <message>
         <source>The hand is moved as Live hand says.</source>
-        <translation>La main bouge comme l’indique « Main en direct ».</translation>
+        <translation>La main bouge comme l’indique «&#xa0;Main en direct&#xa0;».</translation>
     </message>
     <message>
         <source>Before the first object: check that the picture moves as the hand does.</source>
-        <translation>Avant le premier objet : contrôler que l’image bouge comme la main.</translation>
+        <translation>Avant le premier objet&#xa0;: contrôler que l’image bouge comme la main.</translation>
     </message>
     <message>
         <source>Check the picture first, in Live hand.</source>
-        <translation>Contrôlez d’abord l’image, dans « Main en direct ».</translation>
+        <translation>Contrôlez d’abord l’image, dans «&#xa0;Main en direct&#xa0;».</translation>
     </message>
     <message>
         <source>The object is moved as Live arm says, seen by the patient.</source>
-        <translation>L’objet est déplacé comme l’indique « Bras en direct », vu par la personne.</translation>
+        <translation>L’objet est déplacé comme l’indique «&#xa0;Bras en direct&#xa0;», vu par la personne.</translation>
     </message>
     <message>
         <source>Before the first target: check that the picture moves as the object does.</source>
-        <translation>Avant la première cible : contrôler que l’image bouge comme l’objet.</translation>
+        <translation>Avant la première cible&#xa0;: contrôler que l’image bouge comme l’objet.</translation>
     </message>
     <message>
         <source>Check the picture first, in Live arm.</source>
-        <translation>Contrôlez d’abord l’image, dans « Bras en direct ».</translation>
+        <translation>Contrôlez d’abord l’image, dans «&#xa0;Bras en direct&#xa0;».</translation>
     </message>
     <message>
         <source>Not connected</source>
@@ -717,7 +818,7 @@
     <name>Hand</name>
     <message>
         <source>%1: let go as well, the object was placed</source>
-        <translation>%1 : lâché également, l’objet était posé</translation>
+        <translation>%1&#xa0;: lâché également, l’objet était posé</translation>
     </message>
     <message>
         <source>%1: tied, this grasp holds (%2)</source>
@@ -2758,6 +2859,128 @@
     </message>
 </context>
 <context>
+    <name>isograsp::gui::BasisDialog</name>
+    <message>
+        <source>choose …</source>
+        <translation>choisir …</translation>
+    </message>
+    <message>
+        <source>%1 (arrow keys)</source>
+        <translation>%1 (touches fléchées)</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>Lawful basis</source>
+        <translation>Base légale</translation>
+    </message>
+    <message>
+        <source>No camera looks at a person before a lawful basis is on record. Of each purpose the last entry counts; treatment or research must be given.</source>
+        <translation>Aucune caméra ne regarde une personne avant qu’une base légale soit enregistrée. Pour chaque finalité, la dernière entrée compte ; le traitement ou la recherche doit être accordé.</translation>
+    </message>
+    <message>
+        <source>Purpose</source>
+        <translation>Finalité</translation>
+    </message>
+    <message>
+        <source>Basis</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Réponse</translation>
+    </message>
+    <message>
+        <source>Day</source>
+        <translation>Jour</translation>
+    </message>
+    <message>
+        <source>Recorded by</source>
+        <translation>Enregistré par</translation>
+    </message>
+    <message>
+        <source>What is on record</source>
+        <translation>Ce qui est enregistré</translation>
+    </message>
+    <message>
+        <source>In the order in which it was recorded</source>
+        <translation>Dans l’ordre de l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Nothing is on record.</source>
+        <translation>Rien n’est enregistré.</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>When it was said or signed; Up and Down change it (Tab)</source>
+        <translation>Quand cela a été dit ou signé ; haut et bas le changent (Tab)</translation>
+    </message>
+    <message>
+        <source>such as the version of the form</source>
+        <translation>par exemple la version du formulaire</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>Remarque</translation>
+    </message>
+    <message>
+        <source>Such as the version of the form; may be left empty (Tab)</source>
+        <translation>Par exemple la version du formulaire ; peut rester vide (Tab)</translation>
+    </message>
+    <message>
+        <source>Give the day on which it was said.</source>
+        <translation>Indiquez le jour où cela a été dit.</translation>
+    </message>
+    <message>
+        <source>Adds this entry under your name; it is not changed any more (Enter)</source>
+        <translation>Ajoute cette entrée sous votre nom ; elle ne change plus (Entrée)</translation>
+    </message>
+    <message>
+        <source>Choose purpose, basis and answer first</source>
+        <translation>Choisissez d’abord finalité, base et réponse</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::BasisView</name>
+    <message>
+        <source>Lawful basis …</source>
+        <translation>Base légale …</translation>
+    </message>
+    <message>
+        <source>Lawful basis of this person</source>
+        <translation>Base légale pour cette personne</translation>
+    </message>
+    <message>
+        <source>Shows what is on record, and records one more entry (Tab, then space)</source>
+        <translation>Montre ce qui est enregistré et ajoute une entrée (Tab, puis espace)</translation>
+    </message>
+    <message>
+        <source>Looking for a lawful basis …</source>
+        <translation>Recherche d’une base légale …</translation>
+    </message>
+    <message>
+        <source>⚠ %1</source>
+        <translation>⚠ %1</translation>
+    </message>
+    <message>
+        <source>✗ No camera may look at this person: no lawful basis is on record.</source>
+        <translation>✗ Aucune caméra ne peut regarder cette personne : aucune base légale n’est enregistrée.</translation>
+    </message>
+    <message>
+        <source>No camera may look at this person:</source>
+        <translation>Aucune caméra ne peut regarder cette personne :</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::CamerasDialog</name>
     <message>
         <source>Cameras</source>
@@ -3563,6 +3786,80 @@ Reconnecté&#xa0;: %7</translation>
     <message>
         <source>–</source>
         <translation>–</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::FirstVisitOffer</name>
+    <message>
+        <source>Begin as a first &amp;visit</source>
+        <translation>Première &amp;visite d’abord</translation>
+    </message>
+    <message>
+        <source>Choose the protocol of a first visit</source>
+        <translation>Choisir le protocole d’une première visite</translation>
+    </message>
+    <message>
+        <source>It begins with practice in bouts (Alt+V)</source>
+        <translation>Il commence par un entraînement par séries (Alt+V)</translation>
+    </message>
+    <message>
+        <source>This arm has not worked with the cameras before. “%1” begins with %2 minutes of practice.</source>
+        <translation>Ce bras n’a pas encore travaillé avec les caméras. « %1 » commence par %2 minutes d’entraînement.</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::GraspView</name>
+    <message>
+        <source>Hold, weakest direction (G min)</source>
+        <translation>Tenue, direction la plus faible (G min)</translation>
+    </message>
+    <message>
+        <source>Hand, weakest direction (H min)</source>
+        <translation>Main, direction la plus faible (H min)</translation>
+    </message>
+    <message>
+        <source>Hand, on the whole (H det)</source>
+        <translation>Main, dans l’ensemble (H det)</translation>
+    </message>
+    <message>
+        <source>%1: pull</source>
+        <translation>%1&#xa0;: traction</translation>
+    </message>
+    <message>
+        <source>%1: how hard it pulls away, as a share of the pull at which its tie lets go</source>
+        <translation>%1&#xa0;: force avec laquelle il s’éloigne, en part de la traction où le lien lâche</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>%1 of %2 N</source>
+        <translation>%1 sur %2 N</translation>
+    </message>
+    <message>
+        <source>Grasp: no object is there.</source>
+        <translation>Prise&#xa0;: aucun objet.</translation>
+    </message>
+    <message>
+        <source>Grasp: fewer than two fingers touch.</source>
+        <translation>Prise&#xa0;: moins de deux doigts touchent.</translation>
+    </message>
+    <message>
+        <source>Grasp: ✓ it holds, and may be helped.</source>
+        <translation>Prise&#xa0;: ✓ elle tient et peut être aidée.</translation>
+    </message>
+    <message>
+        <source>Grasp: ✗ only the help holds it.</source>
+        <translation>Prise&#xa0;: ✗ seule l’aide la tient.</translation>
+    </message>
+    <message>
+        <source>Grasp: ✗ it does not hold yet.</source>
+        <translation>Prise&#xa0;: ✗ elle ne tient pas encore.</translation>
+    </message>
+    <message>
+        <source>above %1</source>
+        <translation>plus de %1</translation>
     </message>
 </context>
 <context>
@@ -4587,6 +4884,73 @@ Reconnecté&#xa0;: %7</translation>
     </message>
 </context>
 <context>
+    <name>isograsp::gui::PictureCheckView</name>
+    <message>
+        <source>The hand is moved to the right, up and away, towards the screen; the picture must do the same. Before the first object (Tab, then space)</source>
+        <translation>La main se déplace vers la droite, vers le haut et s’éloigne, vers l’écran&#xa0;; l’image doit faire de même. Avant le premier objet (Tab, puis espace)</translation>
+    </message>
+    <message>
+        <source>The hand moves 10 cm to the right, and rests.</source>
+        <translation>La main se déplace de 10 cm vers la droite, puis reste immobile.</translation>
+    </message>
+    <message>
+        <source>It moves 10 cm up, and rests.</source>
+        <translation>Elle se déplace de 10 cm vers le haut, puis reste immobile.</translation>
+    </message>
+    <message>
+        <source>It moves 10 cm away, towards the screen, and rests.</source>
+        <translation>Elle s’éloigne de 10 cm, vers l’écran, puis reste immobile.</translation>
+    </message>
+    <message>
+        <source>The hand is held still where the tracker sees it.</source>
+        <translation>La main reste immobile, là où le suivi de la main la voit.</translation>
+    </message>
+    <message>
+        <source>✓ The picture moves as the hand does.</source>
+        <translation>✓ L’image bouge comme la main.</translation>
+    </message>
+    <message>
+        <source>✗ In the picture it went %1° off. Once more; if it stays so, the tracker stands another way than its program says: no object comes.</source>
+        <translation>✗ Dans l’image, elle a dévié de %1°. Recommencez&#xa0;; si cela persiste, le suivi de la main est orienté autrement que ne le dit son programme&#xa0;: aucun objet ne vient.</translation>
+    </message>
+    <message>
+        <source>Stop the check</source>
+        <translation>Arrêter le contrôle</translation>
+    </message>
+    <message>
+        <source>Check the picture</source>
+        <translation>Contrôler l’image</translation>
+    </message>
+    <message>
+        <source>You move the object to the right, up and away, towards the screen; the picture must do the same. Before the first trial (Tab, then space)</source>
+        <translation>Vous déplacez l’objet à droite, en haut et au loin vers l’écran&#xa0;; l’image doit faire de même. Avant le premier essai (Tab, puis Espace)</translation>
+    </message>
+    <message>
+        <source>Move the object 10 cm to the right, seen by the patient, and rest.</source>
+        <translation>Déplacez l’objet de 10 cm à droite, vu du patient, puis repos.</translation>
+    </message>
+    <message>
+        <source>Move it 10 cm up, and rest.</source>
+        <translation>De 10 cm vers le haut, puis repos.</translation>
+    </message>
+    <message>
+        <source>Move it 10 cm away, towards the screen, and rest.</source>
+        <translation>De 10 cm au loin, vers l’écran, puis repos.</translation>
+    </message>
+    <message>
+        <source>Hold the object still where the cameras see it.</source>
+        <translation>Gardez l’objet immobile, en vue des caméras.</translation>
+    </message>
+    <message>
+        <source>✓ The picture moves as the object does.</source>
+        <translation>✓ L’image bouge comme l’objet.</translation>
+    </message>
+    <message>
+        <source>✗ In the picture it went %1° off. Once more; if it stays so, [view] of the rig names other axes: nothing begins that is done by this picture.</source>
+        <translation>✗ Dans l’image, il a dévié de %1°. Recommencez&#xa0;; si cela persiste, [view] du jeu de marqueurs nomme d’autres axes&#xa0;: aucun essai guidé par cette image ne commence.</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::PostureDesk</name>
     <message>
         <source>Not recorded: the arm moved by %1 mm (SD). Hold it still.</source>
@@ -5212,10 +5576,6 @@ Reconnecté&#xa0;: %7</translation>
         <translation>Conservé&#xa0;: effort %1, douleur %2. Un autre nombre corrige.</translation>
     </message>
     <message>
-        <source>The other number is missing: nothing is kept yet.</source>
-        <translation>L’autre nombre manque&#xa0;: rien n’est encore conservé.</translation>
-    </message>
-    <message>
         <source>Correct: effort %1, pain %2</source>
         <translation>Corriger&#xa0;: effort %1, douleur %2</translation>
     </message>
@@ -5248,6 +5608,27 @@ Reconnecté&#xa0;: %7</translation>
         <source>Pain</source>
         <comment>beside its numbers</comment>
         <translation>Douleur</translation>
+    </message>
+    <message>
+        <source>Kept: effort %1, pain %2, shoulder %3. Another number corrects it.</source>
+        <translation>Conservé : effort %1, douleur %2, épaule %3. Un autre nombre corrige.</translation>
+    </message>
+    <message>
+        <source>Correct: effort %1, pain %2, shoulder %3</source>
+        <translation>Corriger : effort %1, douleur %2, épaule %3</translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <comment>beside its numbers</comment>
+        <translation>Épaule</translation>
+    </message>
+    <message>
+        <source>Shoulder pain</source>
+        <translation>Douleur à l’épaule</translation>
+    </message>
+    <message>
+        <source>A number is missing: nothing is kept yet.</source>
+        <translation>Il manque un nombre : rien n’est encore conservé.</translation>
     </message>
 </context>
 <context>
@@ -6174,6 +6555,33 @@ Reconnecté&#xa0;: %7</translation>
     </message>
 </context>
 <context>
+    <name>isograsp::gui::SizeOffer</name>
+    <message>
+        <source>It has the size of the left hand</source>
+        <translation>Prendre la taille de la main gauche</translation>
+    </message>
+    <message>
+        <source>It has the size of the right hand</source>
+        <translation>Prendre la taille de la main droite</translation>
+    </message>
+    <message>
+        <source>For a hand that cannot open: the other one, mirrored; stored with the session (Tab, then space)</source>
+        <translation>Pour une main qui ne peut pas s’ouvrir : l’autre, en miroir ; conservé avec la séance (Tab, puis espace)</translation>
+    </message>
+    <message>
+        <source>For a hand that cannot open. Measured in the entry test of %1.</source>
+        <translation>Pour une main qui ne peut pas s’ouvrir. Mesurée au test d’entrée du %1.</translation>
+    </message>
+    <message>
+        <source>Size: that of the left hand, entry test of %1.</source>
+        <translation>Taille : celle de la main gauche, test d’entrée du %1.</translation>
+    </message>
+    <message>
+        <source>Size: that of the right hand, entry test of %1.</source>
+        <translation>Taille : celle de la main droite, test d’entrée du %1.</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::StableCard</name>
     <message>
         <source>Judged stable</source>
@@ -6642,7 +7050,7 @@ Reconnecté&#xa0;: %7</translation>
     </message>
     <message>
         <source>Tracker</source>
-        <translation>Suivi de la main</translation>
+        <translation>Suivi</translation>
     </message>
 </context>
 <context>
@@ -7020,147 +7428,6 @@ Dernière valeur %3.%4 Les flèches passent à l’image suivante, Entrée ou un
     <message>
         <source>Measuring the empty device</source>
         <translation>Mesure de l’appareil vide</translation>
-    </message>
-</context>
-<context>
-    <name>isograsp::gui::GraspView</name>
-    <message>
-        <source>Hold, weakest direction (G min)</source>
-        <translation>Tenue, direction la plus faible (G min)</translation>
-    </message>
-    <message>
-        <source>Hand, weakest direction (H min)</source>
-        <translation>Main, direction la plus faible (H min)</translation>
-    </message>
-    <message>
-        <source>Hand, on the whole (H det)</source>
-        <translation>Main, dans l’ensemble (H det)</translation>
-    </message>
-    <message>
-        <source>%1: pull</source>
-        <translation>%1&#xa0;: traction</translation>
-    </message>
-    <message>
-        <source>%1: how hard it pulls away, as a share of the pull at which its tie lets go</source>
-        <translation>%1&#xa0;: force avec laquelle il s’éloigne, en part de la traction où le lien lâche</translation>
-    </message>
-    <message>
-        <source>–</source>
-        <translation>–</translation>
-    </message>
-    <message>
-        <source>%1 of %2 N</source>
-        <translation>%1 sur %2 N</translation>
-    </message>
-    <message>
-        <source>Grasp: no object is there.</source>
-        <translation>Prise&#xa0;: aucun objet.</translation>
-    </message>
-    <message>
-        <source>Grasp: fewer than two fingers touch.</source>
-        <translation>Prise&#xa0;: moins de deux doigts touchent.</translation>
-    </message>
-    <message>
-        <source>Grasp: ✓ it holds, and may be helped.</source>
-        <translation>Prise&#xa0;: ✓ elle tient et peut être aidée.</translation>
-    </message>
-    <message>
-        <source>Grasp: ✗ only the help holds it.</source>
-        <translation>Prise&#xa0;: ✗ seule l’aide la tient.</translation>
-    </message>
-    <message>
-        <source>Grasp: ✗ it does not hold yet.</source>
-        <translation>Prise&#xa0;: ✗ elle ne tient pas encore.</translation>
-    </message>
-    <message>
-        <source>above %1</source>
-        <translation>plus de %1</translation>
-    </message>
-</context>
-<context>
-    <name>isograsp::gui::FirstVisitOffer</name>
-    <message>
-        <source>Begin as a first &amp;visit</source>
-        <translation>Première &amp;visite d’abord</translation>
-    </message>
-    <message>
-        <source>Choose the protocol of a first visit</source>
-        <translation>Choisir le protocole d’une première visite</translation>
-    </message>
-    <message>
-        <source>It begins with practice in bouts (Alt+V)</source>
-        <translation>Il commence par un entraînement par séries (Alt+V)</translation>
-    </message>
-    <message>
-        <source>This arm has not worked with the cameras before. “%1” begins with %2 minutes of practice.</source>
-        <translation>Ce bras n’a pas encore travaillé avec les caméras. « %1 » commence par %2 minutes d’entraînement.</translation>
-    </message>
-</context>
-<context>
-    <name>isograsp::gui::PictureCheckView</name>
-    <message>
-        <source>The hand is moved to the right, up and away, towards the screen; the picture must do the same. Before the first object (Tab, then space)</source>
-        <translation>La main se déplace vers la droite, vers le haut et s’éloigne, vers l’écran ; l’image doit faire de même. Avant le premier objet (Tab, puis espace)</translation>
-    </message>
-    <message>
-        <source>The hand moves 10 cm to the right, and rests.</source>
-        <translation>La main se déplace de 10 cm vers la droite, puis reste immobile.</translation>
-    </message>
-    <message>
-        <source>It moves 10 cm up, and rests.</source>
-        <translation>Elle se déplace de 10 cm vers le haut, puis reste immobile.</translation>
-    </message>
-    <message>
-        <source>It moves 10 cm away, towards the screen, and rests.</source>
-        <translation>Elle s’éloigne de 10 cm, vers l’écran, puis reste immobile.</translation>
-    </message>
-    <message>
-        <source>The hand is held still where the tracker sees it.</source>
-        <translation>La main reste immobile, là où le suivi de la main la voit.</translation>
-    </message>
-    <message>
-        <source>✓ The picture moves as the hand does.</source>
-        <translation>✓ L’image bouge comme la main.</translation>
-    </message>
-    <message>
-        <source>✗ In the picture it went %1° off. Once more; if it stays so, the tracker stands another way than its program says: no object comes.</source>
-        <translation>✗ Dans l’image, elle a dévié de %1°. Recommencez ; si cela persiste, le suivi de la main est orienté autrement que ne le dit son programme : aucun objet ne vient.</translation>
-    </message>
-    <message>
-        <source>Stop the check</source>
-        <translation>Arrêter le contrôle</translation>
-    </message>
-    <message>
-        <source>Check the picture</source>
-        <translation>Contrôler l’image</translation>
-    </message>
-    <message>
-        <source>You move the object to the right, up and away, towards the screen; the picture must do the same. Before the first trial (Tab, then space)</source>
-        <translation>Vous déplacez l’objet à droite, en haut et au loin vers l’écran&#xa0;; l’image doit faire de même. Avant le premier essai (Tab, puis Espace)</translation>
-    </message>
-    <message>
-        <source>Move the object 10 cm to the right, seen by the patient, and rest.</source>
-        <translation>Déplacez l’objet de 10 cm à droite, vu du patient, puis repos.</translation>
-    </message>
-    <message>
-        <source>Move it 10 cm up, and rest.</source>
-        <translation>De 10 cm vers le haut, puis repos.</translation>
-    </message>
-    <message>
-        <source>Move it 10 cm away, towards the screen, and rest.</source>
-        <translation>De 10 cm au loin, vers l’écran, puis repos.</translation>
-    </message>
-    <message>
-        <source>Hold the object still where the cameras see it.</source>
-        <translation>Gardez l’objet immobile, en vue des caméras.</translation>
-    </message>
-    <message>
-        <source>✓ The picture moves as the object does.</source>
-        <translation>✓ L’image bouge comme l’objet.</translation>
-    </message>
-    <message>
-        <source>✗ In the picture it went %1° off. Once more; if it stays so, [view] of the rig names other axes: nothing begins that is done by this picture.</source>
-        <translation>✗ Dans l’image, il a dévié de %1°. Recommencez&#xa0;; si cela persiste, [view] du jeu de marqueurs nomme d’autres axes&#xa0;: aucun essai guidé par cette image ne commence.</translation>
     </message>
 </context>
 </TS>

@@ -39,6 +39,7 @@ Result<PracticeDose> dose_of(storage::SessionStore& store, const PatientRecords&
     for (const auto& rating : *ratings) {
       raise(one.most_effort, rating.effort);
       raise(one.most_pain, rating.pain);
+      if (rating.shoulder_pain) raise(one.most_shoulder_pain, *rating.shoulder_pain);
     }
   }
   std::map<std::string, int> known;  // task files are long, and the same for many trials

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How much was practised, week by week: active minutes, repetitions, and what the patient said of
-// effort and pain. SI units.
+// effort, pain and, where it was asked, shoulder pain. SI units.
 #pragma once
 
 #include <optional>
@@ -23,6 +23,7 @@ struct DoseWeek {
   int repetitions = 0;    ///< of completed trials
   std::optional<int> most_effort = std::nullopt;  ///< 0 … 10, of all ratings of the week
   std::optional<int> most_pain = std::nullopt;
+  std::optional<int> most_shoulder_pain = std::nullopt;
 };
 struct PracticeDose {
   std::vector<DoseWeek> weeks;  ///< without gaps, oldest first

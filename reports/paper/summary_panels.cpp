@@ -228,6 +228,13 @@ std::optional<Panel> dose_panel(const ReportContent& content, const Speaker& say
                  "Most effort (0 to 10)"_text, "Most pain (0 to 10)"_text}),
       {0.1, 0.14, 0.19, 0.17, 0.2, 0.2},
       {}};
+  // Of hands that are carried to their targets.
+  const bool of_shoulder = std::ranges::any_of(
+      dose.weeks, [](const DoseWeek& week) { return week.most_shoulder_pain.has_value(); });
+  if (of_shoulder) {
+    table.heads.push_back(say("Most shoulder pain (0 to 10)"_text));
+    table.shares = {0.08, 0.11, 0.16, 0.15, 0.15, 0.15, 0.2};
+  }
   const std::size_t first = dose.weeks.size() > kMostRows ? dose.weeks.size() - kMostRows : 0;
   for (std::size_t i = first; i < dose.weeks.size(); ++i) {
     const DoseWeek& week = dose.weeks[i];
@@ -237,6 +244,7 @@ std::optional<Panel> dose_panel(const ReportContent& content, const Speaker& say
     table.rows.push_back({std::to_string(week.week), std::to_string(week.sessions),
                           say(fixed(week.active_s / 60.0, 1)), std::to_string(week.repetitions),
                           number_or_dash(week.most_effort), number_or_dash(week.most_pain)});
+    if (of_shoulder) table.rows.back().push_back(number_or_dash(week.most_shoulder_pain));
   }
   panel.table = std::move(table);
   panel.notes.push_back(say(joined(

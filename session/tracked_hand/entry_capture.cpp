@@ -78,7 +78,7 @@ PreparationOutcome EntryCapture::outcome() const {
   record.references.emplace("widest_object_m", entry_.widest_object_m());
   record.references.emplace("tracked_share", entry_.tracked_share());
   record.references.emplace("openings", static_cast<double>(entry_.openings()));
-  record.references.emplace("size_of_other_hand", of_other_ ? 1.0 : 0.0);
+  record.references.emplace(kSizeOfOtherHand, of_other_ ? 1.0 : 0.0);
   return outcome;
 }
 

@@ -16,6 +16,8 @@ namespace isograsp::session {
 
 /// PreparationRecord::kind.
 inline constexpr const char* kHandEntry = "hand_entry";
+/// Its reference that says whose size the hand has: 1 that of the other one, 0 its own.
+inline constexpr const char* kSizeOfOtherHand = "size_of_other_hand";
 
 class EntryCapture final : public Preparation {
  public:

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include "core/files.hpp"
 #include "session/library/library.hpp"
+#include "session/tracked_hand/entry_capture.hpp"
 
 namespace isograsp::session {
 
@@ -70,6 +72,25 @@ Result<virtual_hand::HandModel> hand_of_size(const storage::PreparationRecord& r
                    "measure the hand again"_text)
         .about("size");
   return hand;
+}
+
+Result<std::optional<MeasuredHand>> other_hand_measured(storage::SessionStore& store,
+                                                        storage::RowId patient, Hand side,
+                                                        bool simulated) {
+  const auto sessions = store.sessions(patient);
+  if (!sessions) return sessions.error();
+  constexpr std::size_t kDay = std::string_view("2026-03-05").size();
+  std::optional<MeasuredHand> newest;
+  for (const storage::SessionRecord& session : *sessions) {
+    if (!session.hand || *session.hand == side) continue;
+    if (session.simulated != simulated || session.recorded) continue;
+    const auto all = store.preparations(session.id);
+    if (!all) return all.error();
+    for (const storage::PreparationRecord& one : *all)
+      if (one.kind == kHandEntry && storage::value_of(one.references, kSizeOfOtherHand) == 0.0)
+        newest = {one, session.started_utc.substr(0, kDay)};
+  }
+  return newest;
 }
 
 }  // namespace isograsp::session

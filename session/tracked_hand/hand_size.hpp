@@ -4,10 +4,12 @@
 // virtual_hand/hand_model.hpp). Not real-time.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/result.hpp"
 #include "storage/records/records.hpp"
+#include "storage/records/session_store.hpp"
 #include "virtual_hand/hand_model.hpp"
 
 namespace isograsp::session {
@@ -22,5 +24,17 @@ void add_hand_size(const virtual_hand::HandModel& hand, storage::PreparationReco
 [[nodiscard]] Result<virtual_hand::HandModel> hand_of_size(const storage::PreparationRecord& record,
                                                            const virtual_hand::HandModel& model,
                                                            Hand side);
+
+/// Where the size of a hand that cannot open comes from.
+struct MeasuredHand {
+  storage::PreparationRecord entry;  ///< its entry test, with its size
+  std::string on_date;               ///< of that session, ISO 8601
+};
+/// The newest entry test of the patient's other hand than `side` in which its own size was
+/// measured; nothing: there is none. A simulated hand tells nothing of a person, a recording
+/// nothing of this one. Errors: whatever the database reports.
+[[nodiscard]] Result<std::optional<MeasuredHand>> other_hand_measured(storage::SessionStore& store,
+                                                                      storage::RowId patient,
+                                                                      Hand side, bool simulated);
 
 }  // namespace isograsp::session

@@ -95,4 +95,21 @@ Result<std::vector<Consent>> consents(Access& access, const std::string& code) {
   return all;
 }
 
+std::vector<Consent> standing(std::span<const Consent> recorded) {
+  std::vector<Consent> last;
+  for (const std::string_view purpose : kPurposes) {
+    const auto of_purpose = [&](const Consent& one) { return one.purpose == purpose; };
+    const auto newest = std::find_if(recorded.rbegin(), recorded.rend(), of_purpose);
+    if (newest != recorded.rend()) last.push_back(*newest);
+  }
+  return last;
+}
+
+bool allow_cameras(std::span<const Consent> recorded) {
+  return std::ranges::any_of(standing(recorded), [](const Consent& one) {
+    return one.state == "given" &&
+           std::ranges::find(kPurposesOfCameras, one.purpose) != kPurposesOfCameras.end();
+  });
+}
+
 }  // namespace isograsp::storage

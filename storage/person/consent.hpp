@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,8 @@ inline constexpr std::array<std::string_view, 8> kLawfulBases{"consent",
                                                               "research"};
 inline constexpr std::array<std::string_view, 3> kPurposes{"treatment", "research", "teaching"};
 inline constexpr std::array<std::string_view, 3> kConsentStates{"given", "refused", "withdrawn"};
+/// A camera may look at a person as long as one of these stands as given.
+inline constexpr std::array<std::string_view, 2> kPurposesOfCameras{"treatment", "research"};
 
 struct Consent {
   RowId id = 0;
@@ -42,5 +45,10 @@ struct Consent {
                                         const Consent& consent);
 /// As they were recorded.
 [[nodiscard]] Result<std::vector<Consent>> consents(Access& access, const std::string& code);
+/// What counts of those, as they were recorded: the last one of each purpose, in the order of
+/// kPurposes.
+[[nodiscard]] std::vector<Consent> standing(std::span<const Consent> recorded);
+/// One of kPurposesOfCameras stands as given.
+[[nodiscard]] bool allow_cameras(std::span<const Consent> recorded);
 
 }  // namespace isograsp::storage

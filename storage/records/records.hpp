@@ -160,6 +160,9 @@ struct ScoredTrial {
   std::vector<Measure> measures;
 };
 
+/// EventRecord::kind of a number beside a rating.
+inline constexpr const char* kShoulderPainEvent = "shoulder_pain";
+
 struct EventRecord {
   std::optional<RowId> trial_id;  ///< nothing: of the session
   double session_time_s = 0.0;
@@ -177,6 +180,9 @@ struct RatingRecord {
   std::string recorded_utc;
   int effort = 0;
   int pain = 0;
+  /// Of a tracked hand, which is carried to its targets; nothing: not asked. Kept as an event of
+  /// the session at the same time, kShoulderPainEvent.
+  std::optional<int> shoulder_pain = std::nullopt;
   bool operator==(const RatingRecord&) const = default;
 };
 

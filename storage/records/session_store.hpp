@@ -75,7 +75,7 @@ class SessionStore {
                                                         std::span<const ScoredTrial> trials) = 0;
   [[nodiscard]] virtual Result<void> add_event(RowId session, const EventRecord& event) = 0;
   [[nodiscard]] virtual Result<RowId> add_rating(const RatingRecord& rating) = 0;
-  /// Effort and pain of the stored rating `rating.id` become these; what they were is kept in a
+  /// Effort and pains of the stored rating `rating.id` become these; what they were is kept in a
   /// note of the session at `rating.session_time_s`. The time at which they were asked is not
   /// changed.
   [[nodiscard]] virtual Result<void> correct_rating(const RatingRecord& rating) = 0;

@@ -134,7 +134,12 @@ Result<std::vector<RatingRecord>> SqliteStore::ratings(RowId session) {
         .get("session_time_s", one.session_time_s)
         .get("recorded_utc", one.recorded_utc)
         .get("effort", one.effort)
-        .get("pain", one.pain);
+        .get("pain", one.pain)
+        .get(
+            "(SELECT CAST(e.text AS INTEGER) FROM events e WHERE e.session_id = "
+            "ratings.session_id AND e.session_time_s = ratings.session_time_s AND e.kind = '" +
+                std::string(kShoulderPainEvent) + "')",
+            one.shoulder_pain);
     row.select("FROM ratings WHERE session_id = :session ORDER BY id", {session});
     while (row.fetch()) all.push_back(one);
   });

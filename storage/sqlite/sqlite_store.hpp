@@ -169,6 +169,7 @@ class SqliteStore final : public SessionStore {
   /// Those of a session, trial or preparation (`owner`).
   [[nodiscard]] References references_of(const char* owner, RowId id);
   /// Those that are there already stay.
+  void write_shoulder_pain(const RatingRecord& rating);
   void insert_references(const char* owner, RowId id, const References& references);
   [[nodiscard]] std::vector<SensorRecord> sensors_of(RowId session);
   /// All; or the one with this code.

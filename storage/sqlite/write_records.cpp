@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writing, but for trials (write_trial.cpp). Every call is one transaction, synced to the disk
 // before it returns.
+#include <algorithm>
 #include <ctime>
+#include <optional>
+#include <string>
 
 #include <soci/soci.h>
 
@@ -200,29 +203,52 @@ Result<RowId> SqliteStore::add_rating(const RatingRecord& rating) {
         .set("pain", rating.pain)
         .insert();
     id = last_id(database_.sql(), "ratings");
+    write_shoulder_pain(rating);
   });
   if (!done) return done.error();
   return id;
 }
 
+/// In the place of what was said before at the time of this rating.
+void SqliteStore::write_shoulder_pain(const RatingRecord& rating) {
+  const std::string kind = kShoulderPainEvent;
+  database_.sql() << "DELETE FROM events WHERE session_id = :session AND kind = :kind AND "
+                     "session_time_s = :time",
+      soci::use(rating.session_id), soci::use(kind), soci::use(rating.session_time_s);
+  if (!rating.shoulder_pain) return;
+  constexpr int kMostOfScale = 10;
+  if (*rating.shoulder_pain < 0 || *rating.shoulder_pain > kMostOfScale)
+    throw Refusal{refused("shoulder pain cannot be %1"_text(*rating.shoulder_pain),
+                          "give a number from 0 to %1"_text(kMostOfScale))
+                      .about("shoulder_pain")};
+  NewRow(database_.sql(), "events")
+      .set("session_id", rating.session_id)
+      .set("session_time_s", rating.session_time_s)
+      .set("kind", kind)
+      .set("text", std::to_string(*rating.shoulder_pain))
+      .insert();
+}
+
 Result<void> SqliteStore::correct_rating(const RatingRecord& rating) {
-  const auto words = [](int effort, int pain) {
-    return "effort " + std::to_string(effort) + ", pain " + std::to_string(pain);
+  const auto words = [](const RatingRecord& one) {
+    return "effort " + std::to_string(one.effort) + ", pain " + std::to_string(one.pain) +
+           (one.shoulder_pain ? ", shoulder pain " + std::to_string(*one.shoulder_pain) : "");
   };
+  const auto all = ratings(rating.session_id);
+  if (!all) return all.error();
+  const auto before = std::ranges::find(*all, rating.id, &RatingRecord::id);
+  if (before == all->end())
+    return refused("rating %1 does not exist"_text(rating.id),
+                   "check its number and that of its session"_text)
+        .at(path());
   return database_.transact("correcting a rating"_text, [&] {
     soci::session& sql = database_.sql();
-    int effort = 0;
-    int pain = 0;
-    sql << "SELECT effort, pain FROM ratings WHERE id = :id AND session_id = :session",
-        soci::use(rating.id), soci::use(rating.session_id), soci::into(effort), soci::into(pain);
-    if (!sql.got_data())
-      throw Refusal{refused("rating %1 does not exist"_text(rating.id),
-                            "check its number and that of its session"_text)
-                        .at(path())};
     sql << "UPDATE ratings SET effort = :effort, pain = :pain WHERE id = :id",
         soci::use(rating.effort), soci::use(rating.pain), soci::use(rating.id);
-    const std::string text = "Rating corrected: " + words(rating.effort, rating.pain) +
-                             "; before: " + words(effort, pain);
+    RatingRecord now = rating;
+    now.session_time_s = before->session_time_s;
+    write_shoulder_pain(now);
+    const std::string text = "Rating corrected: " + words(rating) + "; before: " + words(*before);
     sql << "INSERT INTO events (session_id, trial_id, session_time_s, kind, text) "
            "SELECT session_id, trial_id, :time, 'note', :text FROM ratings WHERE id = :id",
         soci::use(rating.session_time_s), soci::use(text), soci::use(rating.id);

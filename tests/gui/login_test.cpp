@@ -21,6 +21,7 @@
 #include "storage/access/accounts.hpp"
 #include "storage/access/audit_log.hpp"
 #include "storage/access/open_store.hpp"
+#include "storage/person/consent.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp::gui::test::login_test {
@@ -166,6 +167,40 @@ TEST_F(LoginTest, AnIdentityIsReadOnRequestAndTheLogSaysByWhom) {
     EXPECT_EQ(entries->back().actor, "Ada");
   }
   EXPECT_EQ((**storage::read_identity(access, "P-0427")).name, "Maria Berger-Novak");
+}
+
+TEST_F(LoginTest, ALawfulBasisIsRecordedUnderTheNameOfWhoeverIsIn) {
+  log_in("Ada", kPassword);
+  ASSERT_TRUE(wait_until([&] { return windows_->clinic().is_open(); }));
+  windows_->presenter().choices().choose_patient("P-0427");
+  windows_->therapist().show_page(TherapistWindow::Page::session);
+  operator_->press("hand_right");
+  operator_->answer_screening();
+  windows_->presenter().choices().choose_device("leap://127.0.0.1");
+  operator_->answer_screening();
+  operator_->press("basis_open");
+  for (const auto& [field, word] : {std::pair("basis_purpose", "treatment"),
+                                    {"basis_basis", "consent"},
+                                    {"basis_state", "given"}}) {
+    auto& box = operator_->find<QComboBox>(field);
+    box.setCurrentIndex(box.findData(word));
+  }
+  operator_->find<QLineEdit>("basis_text").setText("form 3");
+  operator_->press("basis_record");
+  auto& words = operator_->find<QLabel>("basis_words");
+  ASSERT_TRUE(wait_until([&] { return words.text().contains("recorded by Ada"); }))
+      << words.text().toStdString();
+  storage::Access& access = *windows_->staff().access();
+  const auto recorded = storage::consents(access, "P-0427");
+  ASSERT_TRUE(recorded.ok()) << recorded.error().message();
+  ASSERT_EQ(recorded->size(), 1U);
+  EXPECT_EQ(recorded->front().recorded_by, "Ada");
+  EXPECT_EQ(recorded->front().text, "form 3");
+  ASSERT_TRUE(access.log_in_with_passphrase(storage::Secret(kPassphrase)).ok());
+  const auto entries = storage::read_audit(access, {"add consent", "P-0427"});
+  ASSERT_TRUE(entries.ok()) << entries.error().message();
+  ASSERT_EQ(entries->size(), 1U);
+  EXPECT_EQ(entries->back().actor, "Ada");
 }
 
 TEST_F(LoginTest, AResearcherSeesNoIdentity) {

@@ -100,6 +100,26 @@ TEST(ProtocolGuide, AsksForEffortAndPainAtPausesAndAtTheEndButNotWithoutWork) {
   EXPECT_FALSE(idle.rating_due());
 }
 
+TEST(ProtocolGuide, AsksAfterEachBoutOfPlacementsOfATrackedHand) {
+  ProtocolGuide guide;
+  guide.begin(shipped("hand_training"), {}, 7);
+  int bouts = 0;
+  double now_s = 0.0;
+  while (const auto act = guide.act()) {
+    now_s += guide.wait_s(now_s) + 1.0;
+    EXPECT_FALSE(guide.rating_due());
+    if (act->kind != Kind::trial) {
+      guide.zeroed(now_s);
+      continue;
+    }
+    guide.trial_ended(outcome_of(*act), now_s);
+    EXPECT_TRUE(guide.rating_due()) << "after bout " << bouts;
+    guide.rated();
+    ++bouts;
+  }
+  EXPECT_EQ(bouts, 4);
+}
+
 TEST(ProtocolGuide, ATrialThatWasBrokenOffIsAskedAgainAndNothingBeginsByItself) {
   ProtocolGuide guide;
   guide.begin(shipped("short"), {}, 7);

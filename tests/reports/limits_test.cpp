@@ -327,6 +327,24 @@ TEST_F(Limits, TheSameDayOfTheNextWeekIsTheNextWeekThoughAnHourEarlier) {
   EXPECT_EQ(dose.weeks[1].sessions, 1);
 }
 
+TEST_F(Limits, TheDoseHasTheMostShoulderPainOfAWeekWhereItWasAsked) {
+  storage::SessionRecord bout;
+  bout.patient_id = patient_;
+  bout.started_utc = "2026-03-09T08:30:00Z";
+  bout.device_uri = "leap://127.0.0.1";
+  const auto id = must(store_->begin_session(bout));
+  for (const int pain : {1, 3, 2})
+    must(
+        store_->add_rating({0, id, std::nullopt, 60.0 * pain, "2026-03-09T08:31:00Z", 4, 0, pain}));
+  bout.started_utc = "2026-03-16T08:30:00Z";
+  must(store_->add_rating(
+      {0, must(store_->begin_session(bout)), std::nullopt, 60.0, "2026-03-16T08:31:00Z", 4, 0}));
+  const auto dose = must(dose_of(*store_, must(read_patient(*store_, "TK-1"))));
+  ASSERT_EQ(dose.weeks.size(), 2u);
+  EXPECT_EQ(dose.weeks[0].most_shoulder_pain, 3);
+  EXPECT_EQ(dose.weeks[1].most_shoulder_pain, std::nullopt);
+}
+
 TEST_F(Limits, TheDoseCountsWeeksWithoutGapsMinutesRepetitionsAndPain) {
   session("2026-03-02", Hand::left, {{"let_go.toml", {}}, {"maximum_grip.toml", {}}}, 30);
   session("2026-03-18", Hand::left, {{"let_go.toml", {}}}, 60);

@@ -128,6 +128,20 @@ TEST(Ratings, WorkStopsAtPainFourOrTwoMoreThanAtFirst) {
   EXPECT_FALSE(stops({2, 3, 1}));
 }
 
+TEST(Ratings, WorkStopsAtAPainfulShoulderAsAtAPainfulHand) {
+  const auto stops = [](std::vector<std::optional<int>> pains) {
+    std::vector<storage::RatingRecord> ratings;
+    for (const auto& pain : pains) ratings.emplace_back().shoulder_pain = pain;
+    return reason_to_stop(ratings).has_value();
+  };
+  EXPECT_FALSE(stops({std::nullopt}));
+  EXPECT_FALSE(stops({3}));
+  EXPECT_TRUE(stops({4}));
+  EXPECT_FALSE(stops({0, 1}));
+  EXPECT_TRUE(stops({0, 1, 2}));
+  EXPECT_FALSE(stops({std::nullopt, 3})) << "nothing is known of how it was at first";
+}
+
 /// A session that breaks off before the act with this number.
 struct BreakOff {};
 

@@ -168,6 +168,39 @@ TEST_F(Records, ACorrectedRatingIsOneRatingAndSaysWhatItWas) {
   EXPECT_EQ(events[0].text, "Rating corrected: effort 3, pain 5; before: effort 8, pain 5");
 }
 
+TEST_F(Records, ShoulderPainIsKeptBesideItsRatingAndCorrectedWithIt) {
+  const RowId session_id = session();
+  RatingRecord rating{0, session_id, std::nullopt, 61.5, "2026-03-01T09:31:01Z", 8, 1, 3};
+  rating.id = must(store->add_rating(rating));
+  must(store->add_rating({0, session_id, std::nullopt, 90.0, "2026-03-01T09:31:30Z", 2, 0}));
+  auto ratings = must(store->ratings(session_id));
+  ASSERT_EQ(ratings.size(), 2u);
+  EXPECT_EQ(ratings[0], rating);
+  EXPECT_EQ(ratings[1].shoulder_pain, std::nullopt) << "it was not asked";
+
+  RatingRecord meant = rating;
+  meant.session_time_s = 64.0;
+  meant.shoulder_pain = 5;
+  must(store->correct_rating(meant));
+  ratings = must(store->ratings(session_id));
+  EXPECT_EQ(ratings[0].shoulder_pain, 5);
+  EXPECT_EQ(ratings[0].session_time_s, 61.5) << "when it was asked";
+  const auto events = must(store->events(session_id));
+  ASSERT_EQ(events.size(), 2u) << "one number, and what it was";
+  EXPECT_EQ(std::ranges::count(events, kShoulderPainEvent, &EventRecord::kind), 1);
+  const auto note = std::ranges::find(events, "note", &EventRecord::kind);
+  ASSERT_NE(note, events.end());
+  EXPECT_EQ(note->text,
+            "Rating corrected: effort 8, pain 1, shoulder pain 5; before: effort 8, pain 1, "
+            "shoulder pain 3");
+  for (const int no_pain : {-1, 11}) {
+    rating.session_time_s = 100.0;
+    rating.shoulder_pain = no_pain;
+    EXPECT_FALSE(store->add_rating(rating)) << no_pain;
+  }
+  EXPECT_EQ(must(store->ratings(session_id)).size(), 2u) << "both or neither";
+}
+
 TEST_F(Records, RatingsAndHelpComeBack) {
   const RowId session_id = session();
   TrialRecord trial = example_trial(session_id);

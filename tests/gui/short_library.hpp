@@ -68,14 +68,16 @@ inline std::string make_arm_library(const TemporaryFolder& folder) {
 }
 
 /// The shipped library, in which the protocol of a tracked hand is its entry test, and one object
-/// that is placed with help.
-inline std::string make_hand_library(const TemporaryFolder& folder) {
+/// that is placed with help, as often as `placements` says.
+inline std::string make_hand_library(const TemporaryFolder& folder, int placements = 1) {
   const std::string library = make_short_library(folder, "3");
-  std::ofstream(library + "/tasks/virtual_place_first.toml")
-      << "format = \"isograsp-task-1\"\nname = \"Place one object\"\n"
-         "instruction = \"Bring the object to the blue one. When it is purple, open your hand.\"\n"
-         "version = 1\nkind = \"virtual_pick_place\"\nassistance = \"full\"\neases = true\n"
-         "level = 1\n[[placement]]\nobject = \"slim_cuboid\"\ntarget = 1\n";
+  std::ofstream task(library + "/tasks/virtual_place_first.toml");
+  task << "format = \"isograsp-task-1\"\nname = \"Place one object\"\n"
+          "instruction = \"Bring the object to the blue one. When it is purple, open your hand.\"\n"
+          "version = 1\nkind = \"virtual_pick_place\"\nassistance = \"full\"\neases = true\n"
+          "level = 1\n";
+  for (int k = 0; k < placements; ++k)
+    task << "[[placement]]\nobject = \"slim_cuboid\"\ntarget = 1\n";
   std::ofstream(library + "/protocols/hand_assessment.toml")
       << "format = \"isograsp-protocol-1\"\nname = \"Hand, short\"\n"
          "[[step]]\nkind = \"hand_entry\"\n"

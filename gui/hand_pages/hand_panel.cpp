@@ -47,6 +47,7 @@ void HandPanel::make_head() {
   camera_->setProperty("role", "problem");
   camera_->setToolTip(
       tr("A camera looks at the person until the session ends. No picture is read or stored"));
+  camera_->hide();  // until a frame says so
   auto* top = new QHBoxLayout;
   column_->removeWidget(title_);
   top->addWidget(title_, 1);

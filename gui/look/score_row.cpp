@@ -31,6 +31,10 @@ ScoreRow::ScoreRow(const QString& name, const QString& question, QWidget* parent
     describe(*button, tr("%1: %2 of 10").arg(question).arg(value),
              tr("%1: %2 of 10 (Tab, then arrow keys)").arg(question).arg(value));
     numbers_->addButton(button, value);
+    constexpr int kBesideDigits_px = 4;
+    button->ensurePolished();  // its letters are those of the style
+    button->setMinimumWidth(button->fontMetrics().horizontalAdvance(button->text()) +
+                            kBesideDigits_px);
     row->addWidget(button);
   }
   connect(numbers_, &QButtonGroup::idClicked, this, &ScoreRow::chosen);

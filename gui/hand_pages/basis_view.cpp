@@ -18,6 +18,8 @@ BasisView::BasisView(SessionPresenter& presenter, Staff& staff, QWidget* parent)
   words_->setWordWrap(true);
   record_ = new QPushButton(tr("Lawful basis …"));
   record_->setObjectName("basis_open");
+  describe(*record_, tr("Lawful basis of this person"),
+           tr("Shows what is on record, and records one more entry (Tab, then space)"));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(5);
@@ -42,8 +44,6 @@ void BasisView::refresh() {
   if (!shown) return;
   record_->setVisible(view.may_change_device);
   record_->setEnabled(staff_.allows(storage::Right::write_records));
-  describe(*record_, tr("Lawful basis of this person"),
-           tr("Shows what is on record, and records one more entry (Tab, then space)"));
   mark_next(*record_, view.press == NextPress::basis);
   if (code_ == state.choices.patient) return;
   code_ = state.choices.patient;

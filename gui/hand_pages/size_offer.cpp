@@ -33,15 +33,14 @@ void SizeOffer::refresh() {
   const Choices& choices = state.choices;
   const bool offered = state.measures_hand() && !choices.other_hand_measured_on.empty();
   show_part(*this, offered && presenter_.flow().view().may_change_device);
-  if (!offered) return;
-  const QSignalBlocker quiet(take_);
-  take_->setChecked(choices.today.size_of_other);
   const bool right = choices.today.hand == Hand::right;
   take_->setText(right ? tr("It has the size of the left hand")
                        : tr("It has the size of the right hand"));
   describe(*take_, take_->text(),
            tr("For a hand that cannot open: the other one, mirrored; stored with the session (Tab, "
               "then space)"));
+  const QSignalBlocker quiet(take_);
+  take_->setChecked(choices.today.size_of_other);
   from_->setText(tr("For a hand that cannot open. Measured in the entry test of %1.")
                      .arg(translated_date(choices.other_hand_measured_on)));
 }

@@ -9,10 +9,12 @@
 #include <QPushButton>
 #include <QTableWidget>
 #include <string>
+#include <vector>
 
 #include "gui/clinic/staff.hpp"
 #include "gui/look/choice_box.hpp"
 #include "gui/look/form_fields.hpp"
+#include "storage/person/consent.hpp"
 
 namespace isograsp::gui {
 

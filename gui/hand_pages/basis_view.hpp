@@ -7,9 +7,11 @@
 #include <QPushButton>
 #include <QWidget>
 #include <string>
+#include <vector>
 
 #include "gui/clinic/staff.hpp"
 #include "gui/presenter/session_presenter.hpp"
+#include "storage/person/consent.hpp"
 
 namespace isograsp::gui {
 

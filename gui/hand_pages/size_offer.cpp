@@ -3,6 +3,7 @@
 
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <QVariant>
 
 #include "gui/look/look.hpp"
 #include "gui/words/texts.hpp"

@@ -3,6 +3,7 @@
 
 #include <QHBoxLayout>
 #include <QVBoxLayout>
+#include <QVariant>
 
 #include "gui/hand_pages/hand_words.hpp"
 #include "gui/hand_pages/size_offer.hpp"

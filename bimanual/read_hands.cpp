@@ -90,6 +90,39 @@ Vec6 read_six(TomlReader& table, std::string_view key) {
   return values;
 }
 
+/// What pads press on and with, each number in SI units: beyond this it is that of no hand, and
+/// what is made of it overflows when a step multiplies it.
+constexpr double kMostOfPads = 1e9;
+
+using Named = std::pair<std::string_view, double>;
+void refuse_beyond(TomlReader& table, std::initializer_list<Named> numbers) {
+  for (const auto& [key, most] : numbers)
+    if (most > kMostOfPads)
+      table.fail(key, "is beyond what hands hold"_text, "check its unit"_text);
+}
+
+void refuse_beyond(TomlReader& table, const PadSpec& pad) {
+  refuse_beyond(table, {{"foundation_N_m3", pad.foundation_N_m3},
+                        {"friction", pad.friction},
+                        {"stiffness", pad.stiffness.maxCoeff()},
+                        {"damping", pad.damping.maxCoeff()},
+                        {"from_hand_m", pad.from_hand_m.cwiseAbs().maxCoeff()}});
+}
+
+void refuse_beyond(TomlReader& root, const Scene& scene) {
+  const auto most = [](const Vec3& v) { return v.cwiseAbs().maxCoeff(); };
+  TomlReader object = root.table("object");
+  refuse_beyond(object, {{"mass_kg", scene.mass_kg}, {"inertia_kg_m2", most(scene.inertia_kg_m2)}});
+  TomlReader dynamics = root.table("dynamics");
+  refuse_beyond(dynamics, {{"stiffness", scene.stiffness.maxCoeff()},
+                           {"damping", scene.damping.maxCoeff()},
+                           {"anchor_m", most(scene.anchor_m)}});
+  TomlReader initial = root.table("initial", false);
+  refuse_beyond(initial, {{"position_m", most(scene.initial_X_WO.p)},
+                          {"velocity_m_s", most(scene.initial_v_WO_W)},
+                          {"angular_velocity_rad_s", most(scene.initial_w_WO_W)}});
+}
+
 PadSpec read_pad(TomlReader& table) {
   PadSpec pad;
   pad.hand = static_cast<Side>(table.choice("hand", {"left", "right"}));
@@ -127,6 +160,7 @@ PadSpec read_pad(TomlReader& table) {
   if (!((pad.stiffness + pad.damping).minCoeff() > 0.0))
     table.fail("stiffness", "leaves an axis without spring and damper"_text,
                "give each axis one of the two"_text);
+  refuse_beyond(table, pad);
   return pad;
 }
 
@@ -160,8 +194,11 @@ Result<HandsScene> parse_hands_scene(std::string_view text, const std::string& f
   if (!scene.pads.empty()) {
     TomlReader dynamics = root->table("dynamics");
     scene.pad_step_s = read_positive(dynamics, "step_s", scene.pad_step_s);
+    if (!(scene.pad_step_s * kMostOfPads >= 1.0))
+      dynamics.fail("step_s", "is beyond what hands need"_text, "check its unit"_text);
     if (!(scene.object.mass_kg > 0.0) || !(scene.object.inertia_kg_m2.minCoeff() > 0.0))
       root->fail("pad", "needs an object with mass and inertia"_text, "give it both"_text);
+    refuse_beyond(*root, scene.object);
   }
   if (const auto done = root->finish(); !done) return done.error();
   return scene;

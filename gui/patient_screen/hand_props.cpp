@@ -77,7 +77,7 @@ SoSeparator* make_table() {
   set_corners(corners, -kTableHalf_m, kTableHalf_m, kTableFront_m, kTableBack_m, 0.0F);
   table->addChild(make_quad(corners));
   constexpr float kGrid_m = 0.1F;
-  constexpr float kAbove_m = 2.0F * kLift_m;
+  constexpr float kAbove_m = 2.0F * kOverTable_m;
   std::vector<SbVec3f> grid;
   for (int k = -11; k <= 11; ++k) {
     const float x = kGrid_m * static_cast<float>(k);
@@ -115,7 +115,7 @@ ShadedPlane::ShadedPlane(const SbColor& colour)
 void ShadedPlane::show(const HandPicture& picture, const ShadeArea& area) {
   const auto at = [](double value) { return static_cast<float>(value); };
   set_corners(corners, at(area.left_m), at(area.left_m + area.width_m), at(area.front_m),
-              at(area.front_m - area.depth_m), at(area.height_m) + kLift_m);
+              at(area.front_m - area.depth_m), at(area.height_m) + kOverTable_m);
   const auto shade = table_shade(picture, area);
   shadow->image.setValue(SbVec2s(static_cast<short>(area.columns), static_cast<short>(area.rows)),
                          1, shade.data());

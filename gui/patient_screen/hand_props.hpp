@@ -23,7 +23,7 @@ class SoTransform;
 namespace isograsp::gui::scene_nodes {
 
 /// One above the other by so much [m]: in the same plane they would flicker.
-inline constexpr float kLift_m = 0.0005F;
+inline constexpr float kOverTable_m = 0.0005F;
 
 void show_if(SoSwitch* part, bool shown);
 /// Its colour in any light.

@@ -225,7 +225,7 @@ void HandScene::Parts::show_target(const HandPicture& picture) {
   target_place->translation.setValue(to_sb(picture.X_WT.p));
   target_place->rotation.setValue(to_sb(picture.X_WT.q));
   Vec3 foot_W = picture.X_WT.p;
-  foot_W.y() = picture.ground.height_below(foot_W) + 3.0 * static_cast<double>(kLift_m);
+  foot_W.y() = picture.ground.height_below(foot_W) + 3.0 * static_cast<double>(kOverTable_m);
   foot_place->translation.setValue(to_sb(foot_W));
   drop.show(picture.X_WT.p, foot_W);
   if (away) way.show(picture.X_WO.p, picture.X_WT.p);

@@ -168,8 +168,8 @@ class SqliteStore final : public SessionStore {
   [[nodiscard]] std::vector<SessionRecord> read_sessions(const std::string& where);
   /// Those of a session, trial or preparation (`owner`).
   [[nodiscard]] References references_of(const char* owner, RowId id);
-  /// Those that are there already stay.
   void write_shoulder_pain(const RatingRecord& rating);
+  /// Those that are there already stay.
   void insert_references(const char* owner, RowId id, const References& references);
   [[nodiscard]] std::vector<SensorRecord> sensors_of(RowId session);
   /// All; or the one with this code.

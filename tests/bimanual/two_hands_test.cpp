@@ -245,5 +245,24 @@ TEST(HandsScene, WhatIsWrongIsToldWithItsKey) {
   EXPECT_EQ(field("mode = \"spring\"", "mode = \"spring\"\nglue = 1"), "magnet.glue");
 }
 
+TEST(HandsScene, NumbersOfPadsThatWouldOverflowAreRefusedWithTheirKey) {
+  const std::string file = kData + "../pad_lift.toml";
+  const std::string good = test::must(read_text(file));
+  const auto field = [&](const std::string& key, const std::string& value) {
+    std::string text = good;
+    const std::size_t at = text.find(key + " = ");
+    EXPECT_NE(at, std::string::npos) << key;
+    const std::size_t end = text.find('\n', at);
+    const auto scene = parse_hands_scene(text.replace(at, end - at, key + " = " + value), file);
+    return scene ? std::string() : scene.error().field;
+  };
+  EXPECT_EQ(field("mass_kg", "0.2"), "");
+  EXPECT_EQ(field("mass_kg", "1e200"), "object.mass_kg");
+  EXPECT_EQ(field("inertia_kg_m2", "[6e205, 6e-5, 6e-5]"), "object.inertia_kg_m2");
+  EXPECT_EQ(field("damping", "[1e10, 0, 0, 0, 0, 0]"), "dynamics.damping");
+  EXPECT_EQ(field("step_s", "1e-12"), "dynamics.step_s");
+  EXPECT_EQ(field("foundation_N_m3", "1e300"), "pad[1].foundation_N_m3");
+}
+
 }  // namespace
 }  // namespace isograsp::bimanual::two_hands_test

@@ -50,27 +50,12 @@ void move_by_pushes(const HandsScene& scene) {
   }
 }
 
-/// Numbers that are those of no hand overflow when they are multiplied.
-bool moderate(const HandsScene& scene) {
-  constexpr double kMost = 1e9;
-  double most = std::max({scene.object.mass_kg, scene.object.inertia_kg_m2.maxCoeff(),
-                          scene.object.stiffness.maxCoeff(), scene.object.damping.maxCoeff(),
-                          scene.object.initial_X_WO.p.cwiseAbs().maxCoeff(),
-                          scene.object.initial_v_WO_W.cwiseAbs().maxCoeff(),
-                          scene.object.initial_w_WO_W.cwiseAbs().maxCoeff(),
-                          scene.object.anchor_m.cwiseAbs().maxCoeff()});
-  for (const PadSpec& pad : scene.pads)
-    most = std::max({most, pad.foundation_N_m3, pad.friction, pad.stiffness.maxCoeff(),
-                     pad.damping.maxCoeff(), pad.from_hand_m.cwiseAbs().maxCoeff()});
-  return most <= kMost && scene.pad_step_s >= 1.0 / kMost;
-}
-
 void hold_by_pads(const HandsScene& scene) {
   constexpr std::size_t kMostPoints = 500;  // more take longer and tell nothing
   std::size_t points = 0;
   for (const PadSpec& pad : scene.pads)
     points += static_cast<std::size_t>(pad.face.rays) * static_cast<std::size_t>(pad.face.rings);
-  if (scene.pads.empty() || points > kMostPoints || !moderate(scene)) return;
+  if (scene.pads.empty() || points > kMostPoints) return;
   std::array<Pose, kSides> proxies;
   for (std::size_t side = 0; side < kSides; ++side)
     proxies[side].p = scene.hands.hands[side].center_m;

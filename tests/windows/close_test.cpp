@@ -3,6 +3,7 @@
 // is told to close: a real X server, a window manager, a mouse, and the executable itself.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 #include <utility>
@@ -14,27 +15,53 @@
 namespace isograsp::close_test {
 namespace {
 
-/// Cameras in another program, until this goes.
-class Cameras {
+/// Cameras or a tracker in another program, until this goes.
+class Emulated {
  public:
-  Cameras(const std::string& play, const std::string& port, std::string pid)
+  Emulated(const std::string& arguments, std::string pid)
       : pid_(std::move(pid)),
-        command_("sh -c 'echo $$ > " + pid_ +
-                 "; exec \"" ISOGRASP_EXECUTABLE
-                 "\" emulate --protocol qtm-rt --loop --on 127.0.0.1:" +
-                 port + " --play " + play + "'") {}
-  ~Cameras() {
+        command_("sh -c 'echo $$ > " + pid_ + "; exec \"" ISOGRASP_EXECUTABLE "\" " + arguments +
+                 "'") {}
+  ~Emulated() {
     static_cast<void>(test::run("kill -INT $(cat " + pid_ + ")"));
     command_.wait_for_end();
   }
-  Cameras(const Cameras&) = delete;
-  Cameras& operator=(const Cameras&) = delete;
+  Emulated(const Emulated&) = delete;
+  Emulated& operator=(const Emulated&) = delete;
   [[nodiscard]] const test::BackgroundCommand& command() const { return command_; }
 
  private:
   std::string pid_;
   test::BackgroundCommand command_;
 };
+
+/// A flat right hand before a tracker, 4 s at 100 Hz; a slow wave makes no picture the same.
+std::string resting_hand() {
+  std::vector<std::pair<std::string, std::array<double, 3>>> joints{{"palm", {0.0, 0.2, 0.0}},
+                                                                    {"wrist", {0.0, 0.2, 0.07}}};
+  constexpr std::array kDigits{"thumb", "index", "middle", "ring", "little"};
+  for (std::size_t d = 0; d < kDigits.size(); ++d) {
+    double away_m = -0.05;
+    for (const char* joint : {"metacarpal", "proximal", "intermediate", "distal", "tip"}) {
+      if (d == 0 && std::string(joint) == "intermediate") continue;
+      joints.push_back({std::string(kDigits[d]) + "_" + joint,
+                        {0.02 * (static_cast<double>(d) - 2.0), 0.2, -away_m}});
+      away_m += 0.03;
+    }
+  }
+  std::ostringstream out;
+  out << "t_s,hand,tracked,confidence";
+  for (const auto& [name, p] : joints)
+    for (const char* axis : {"_x_m", "_y_m", "_z_m"}) out << "," << name << axis;
+  for (int k = 0; k < 400; ++k) {
+    const double t_s = k / 100.0;
+    out << "\n" << t_s << ",right,1,1";
+    for (const auto& [name, p] : joints)
+      out << "," << p[0] << "," << p[1] + 1e-4 * std::sin(t_s) << "," << p[2];
+  }
+  out << "\n";
+  return out.str();
+}
 
 class Leaving : public test::ClinicDesk {
  protected:
@@ -170,7 +197,9 @@ TEST_F(Leaving, WithBothWindowsOpenEndsWithStatusZero) {
 
 TEST_F(Leaving, ATargetOfLiveCamerasComesBehindTheCheckOfThePicture) {
   const std::string port = std::to_string(test::free_port());
-  const Cameras cameras(moved_object(), port, desktop_.folder().path("cameras.pid"));
+  const Emulated cameras(
+      "emulate --protocol qtm-rt --loop --on 127.0.0.1:" + port + " --play " + moved_object(),
+      desktop_.folder().path("cameras.pid"));
   ASSERT_TRUE(cameras.command().wait_until(
       [&] { return cameras.command().err().find(port) != std::string::npos; }));
   desktop_.start(
@@ -201,6 +230,34 @@ TEST_F(Leaving, ATargetOfLiveCamerasComesBehindTheCheckOfThePicture) {
   expect_clean_end();
   EXPECT_EQ(stored("SELECT count(*), sum(ended_utc <> '') FROM sessions"), "1|1\n");
   EXPECT_EQ(stored("SELECT status FROM trials"), "aborted\n");
+  expect_sound();
+}
+
+TEST_F(Leaving, ALiveTrackerConnectsOnceItsLawfulBasisIsRecordedInTheWindow) {
+  const std::string port = std::to_string(test::free_port());
+  const std::string stream = desktop_.folder().write("resting_hand.csv", resting_hand());
+  const Emulated tracker("hand emulate --loop --listen 127.0.0.1:" + port + " --stream " + stream,
+                         desktop_.folder().path("tracker.pid"));
+  ASSERT_TRUE(tracker.command().wait_until(
+      [&] { return tracker.command().err().find(port) != std::string::npos; }));
+  desktop_.start({"gui", "--db", database(), "--device", "leap://127.0.0.1:" + port});
+  ASSERT_TRUE(desktop_.click("add_patient"));
+  ASSERT_TRUE(desktop_.click("hand_right"));
+  ASSERT_TRUE(desktop_.click("hand_screening_clear"));
+  ASSERT_TRUE(desktop_.click("connect"));
+  ASSERT_TRUE(wait_for_words("No lawful basis"));
+  EXPECT_EQ(stored("SELECT count(*) FROM sessions"), "0\n");
+  ASSERT_TRUE(desktop_.click("basis_open"));
+  ASSERT_TRUE(desktop_.choose("basis_purpose", "Treatment"));
+  ASSERT_TRUE(desktop_.choose("basis_basis", "Care"));
+  ASSERT_TRUE(desktop_.choose("basis_state", "given"));
+  ASSERT_TRUE(desktop_.click("basis_record"));
+  ASSERT_TRUE(wait_for_words("Connect"));
+  ASSERT_TRUE(desktop_.click("connect"));
+  ASSERT_TRUE(desktop_.wait_for_press("entry_test")) << desktop_.seen();
+  expect_clean_end();
+  EXPECT_EQ(stored("SELECT purpose, basis, state FROM consents"), "treatment|care|given\n");
+  EXPECT_EQ(stored("SELECT count(*), sum(ended_utc <> '') FROM sessions"), "1|1\n");
   expect_sound();
 }
 

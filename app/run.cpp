@@ -15,6 +15,7 @@
 #include "app/realtime_option.hpp"
 #include "app/stop_signals.hpp"
 #include "session/arm/passive_range.hpp"
+#include "session/open_two_platforms.hpp"
 #include "session/protocol/protocol_run.hpp"
 #include "session/session.hpp"
 #include "tasks/reasons/reasons.hpp"
@@ -88,6 +89,43 @@ Result<std::vector<storage::SessionAnswer>> screening_answers(const RunOptions& 
   return session::stored(limits);
 }
 
+/// What is measured, and with which device.
+struct WhoAndWhat {
+  std::optional<Hand> hand;  ///< nothing: both
+  std::string device_uri;
+};
+
+Result<WhoAndWhat> who_and_what(const RunOptions& options) {
+  const bool left = !options.device_left.empty();
+  const bool right = !options.device_right.empty();
+  if (!left && !right) {
+    if (options.device.empty())
+      return refused("no device is named"_text,
+                     "give --device, or --device-left and --device-right"_text)
+          .about("--device");
+    const auto hand = hand_option(options.hand.empty() ? "right" : options.hand);
+    if (!hand) return hand.error();
+    return WhoAndWhat{*hand, options.device};
+  }
+  if (!options.device.empty() || !options.hand.empty())
+    return refused("two platforms measure both hands"_text,
+                   "leave out --device and --hand, or both --device-left and --device-right"_text)
+        .about(options.device.empty() ? "--hand" : "--device");
+  if (!left || !right)
+    return refused("one of two platforms is named alone"_text,
+                   "give both --device-left and --device-right"_text)
+        .about(left ? "--device-right" : "--device-left");
+  auto both = session::two_platforms_uri({options.device_left, options.device_right});
+  if (!both) return both.error();
+  return WhoAndWhat{std::nullopt, *both};
+}
+
+Text words_of_hand(std::optional<Hand> hand, const std::string& patient, const Text& device) {
+  if (!hand) return "Patient %1, both hands, %2"_text(patient, device);
+  return *hand == Hand::right ? "Patient %1, right hand, %2"_text(patient, device)
+                              : "Patient %1, left hand, %2"_text(patient, device);
+}
+
 /// Begins the first task of a step and ends the session in it.
 Result<void> break_off(session::Session& session, const session::ReadyProtocol& protocol,
                        int step) {
@@ -107,8 +145,8 @@ Result<void> break_off(session::Session& session, const session::ReadyProtocol& 
 }  // namespace
 
 Result<void> run_session(const RunOptions& options) {
-  const auto hand = hand_option(options.hand);
-  if (!hand) return hand.error();
+  const auto measured = who_and_what(options);
+  if (!measured) return measured.error();
   const auto allowed = tasks::effort_from_name(options.allowed);
   if (!allowed && !options.allowed.empty())
     return refused("'%1' is no outcome of a screening"_text(options.allowed),
@@ -123,8 +161,8 @@ Result<void> run_session(const RunOptions& options) {
   config.create_database = true;
   config.scratch_database = options.scratch;
   config.patient_code = options.patient;
-  config.hand = *hand;
-  config.device_uri = options.device;
+  config.hand = measured->hand;
+  config.device_uri = measured->device_uri;
   config.apparatus = protocol->apparatus();
   config.library = library_folder();
   config.protocol_name = protocol->spec.name;
@@ -136,6 +174,10 @@ Result<void> run_session(const RunOptions& options) {
   config.realtime = options.realtime;
   config.allowed = allowed;
   config.ceiling_N = options.ceiling_N;
+  for (const Hand hand : kBothHands)
+    config.ceilings_N[hand] = measured->hand             ? std::nullopt
+                              : options.ceilings_N[hand] ? options.ceilings_N[hand]
+                                                         : options.ceiling_N;
   config.answers = *std::move(answers);
   config.resume = options.resume;
   config.clock_is_right = options.clock_is_right;
@@ -153,8 +195,7 @@ Result<void> run_session(const RunOptions& options) {
     if (const auto got = session::words_of((*session)->known().realtime); !got.empty())
       print_note("acquisition with %1"_text(got));
     const Text& device = (*session)->known().device.description;
-    print_line(*hand == Hand::right ? "Patient %1, right hand, %2"_text(options.patient, device)
-                                    : "Patient %1, left hand, %2"_text(options.patient, device));
+    print_line(words_of_hand(measured->hand, options.patient, device));
     std::fflush(stdout);
   }
   if (!options.quiet) {
@@ -198,16 +239,29 @@ void add_run(CommandLine& line) {
   auto login = std::make_shared<LoginOptions>();
   Subcommand command = line.subcommand("run", "A session without a window");
   command.option("--protocol-file", options->protocol_file, "Protocol (TOML)").required();
-  command.option("--device", options->device, "Device URI, e.g. sim://healthy?seed=7").required();
+  command.option("--device", options->device, "Device URI, e.g. sim://healthy?seed=7");
+  command.option("--device-left", options->device_left,
+                 "Platform of the left hand, for a session of both hands; with --device-right, "
+                 "without --device and --hand; sim://pair?file=paretic_left on both is a person in "
+                 "software");
+  command.option("--device-right", options->device_right, "Platform of the right hand");
   command.option("--db", options->database, "Database; made if it does not exist").required();
   command.option("--patient", options->patient, "Patient code; created if new").required();
-  command.option("--hand", options->hand, "right or left").shows_default();
+  command.option("--hand", options->hand, "right or left; without it the right one");
   command.option("--operator", options->operator_name,
                  "Who runs it, stored with zero and resting force");
   command.option("--allowed", options->allowed,
                  "What the screening allows this hand: maximum, comfortable or none; without it "
                  "nothing is kept and maximum is allowed");
   command.option("--ceiling", options->ceiling_N, "No target may exceed this force [N]").positive();
+  command
+      .option("--ceiling-left", options->ceilings_N.left,
+              "Of both hands: no target may ask the left one for more [N]")
+      .positive();
+  command
+      .option("--ceiling-right", options->ceilings_N.right,
+              "Of both hands: no target may ask the right one for more [N]")
+      .positive();
   command.option(
       "--passive", options->passive,
       "Passive range of an arm's angle [degrees], e.g. forearm_a3=-40:60; no target goes "

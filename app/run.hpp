@@ -9,7 +9,7 @@
 
 #include "core/measure.hpp"
 #include "core/result.hpp"
-#include "hand/finger.hpp"
+#include "hand/hands.hpp"
 #include "session/acquisition/realtime.hpp"
 
 namespace isograsp::app {
@@ -29,7 +29,9 @@ struct RunOptions {
   std::string database;
   bool scratch = false;  ///< the database is removed again by the caller: nothing is synced
   std::string patient;
-  std::string hand = "right";
+  std::string device_left;  ///< of both hands at once, each on a platform …
+  std::string device_right;
+  std::string hand;  ///< of one device; empty: the right one, or both on two platforms
   bool fast = false;
   bool resume = false;      ///< go on with the protocol of the patient's last session
   bool quiet = false;       ///< no progress bar and no scores
@@ -37,7 +39,8 @@ struct RunOptions {
   std::string operator_name;
   bool serviced = false;  ///< the operator confirms that the device was serviced or remounted
   std::string allowed;    ///< outcome of the screening for this hand; empty: not asked
-  std::optional<double> ceiling_N;   ///< no target may exceed it
+  std::optional<double> ceiling_N;            ///< no target may exceed it
+  OfHands<std::optional<double>> ceilings_N;  ///< of both hands
   std::vector<std::string> passive;  ///< of an arm, as typed: "forearm_a3=-40:60" [degrees]
   std::optional<Rating> rating;      ///< nothing: not asked
   session::Realtime realtime = session::Realtime::prefer;

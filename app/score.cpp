@@ -86,7 +86,7 @@ Result<void> run_score(const ScoreOptions& options) {
     const auto signals = read_signals(options.signals);
     if (!signals) return signals.error();
     measures = tasks::score_two_hands(
-        *signals, {*options.affected, options.maximum_left_N, options.maximum_right_N});
+        *signals, {*options.affected, {options.maximum_left_N, options.maximum_right_N}});
     if (measures.empty())
       return refused("has no columns left_force_N and right_force_N"_text,
                      "give a record of two hands, or leave out --affected"_text)

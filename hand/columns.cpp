@@ -5,6 +5,7 @@
 
 #include "hand/arm_columns.hpp"
 #include "hand/hand_columns.hpp"
+#include "hand/two_hands_columns.hpp"
 
 namespace isograsp::columns {
 
@@ -33,6 +34,10 @@ class ByName {
   void add(const std::array<Some, kCount>& columns) {
     for (const auto& some : columns) add(some);
   }
+  template <class Some>
+  void add(const OfHands<Some>& columns) {
+    for (const Hand hand : kBothHands) add(columns[hand]);
+  }
   std::map<std::string_view, const Column*> columns_;
 };
 
@@ -54,7 +59,10 @@ const Column* find(std::string_view name) {
       object_supported, grasp_state, pull_N, touch_N, gap_m, release_pull_N, grasp_digits,
       grasp_feasible, grasp_G_min, grasp_H_min, grasp_H_det, grasp_G_min_limit, grasp_H_min_limit,
       grasp_H_det_limit, tracked_gap_m, solver_sweeps, solver_residual_mps, virtual_palm_position,
-      virtual_palm_attitude, virtual_angle, lateness_s, compute_s);
+      virtual_palm_attitude, virtual_angle, hand_grip, target_hand_grip, hand_cue, hand_force_shown,
+      hand_resting_force_N, hand_maximum_force_N, sum_force_N, target_sum_force_N, sum_force_shown,
+      affected_hand, skew_s, hands_finger_force, hands_finger_torque, hands_finger_flags, hand_push,
+      hands_raw_force, hands_raw_torque, lateness_s, compute_s);
   return kAll.find(name);
 }
 

@@ -13,6 +13,7 @@
 #include "hand/cue.hpp"
 #include "hand/finger.hpp"
 #include "hand/force_channel.hpp"
+#include "hand/hands.hpp"
 
 namespace isograsp {
 
@@ -66,6 +67,20 @@ struct ShownObject {
   bool let_go = false;         ///< purple: it was placed, and the hand is to open
 };
 
+/// What the screen shows of one of two hands; what is not shown is 0.
+struct ShownHand {
+  Cue cue = Cue::relax;
+  bool target_shown = false;
+  double target_force_N = 0.0;
+  bool force_shown = false;
+  double force_N = 0.0;
+};
+/// Of two hands at once, and of their sum.
+struct ShownHands {
+  OfHands<ShownHand> of;
+  ShownHand sum;  ///< its cue says nothing
+};
+
 /// One picture of the patient's screen.
 struct Stimulus {
   double t_s = 0.0;              ///< session time of the picture [s]
@@ -80,6 +95,7 @@ struct Stimulus {
   DigitTargets digit_targets;
   /// Own force of the digits that one is asked of, contact frames [N].
   std::array<Vec3, kFingerCount> digit_force_C{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  std::optional<ShownHands> hands;            ///< a task of both; nothing: one hand is asked
   bool object_shown = false;                  ///< the object and what follows are on the screen
   std::optional<ShownObject> virtual_object;  ///< a hand is to grasp it; nothing: another object
   ObjectSight sight = ObjectSight::unknown;

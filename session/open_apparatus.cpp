@@ -8,9 +8,11 @@
 #include "session/arm/marker_arm.hpp"
 #include "session/open_arm.hpp"
 #include "session/open_hand.hpp"
+#include "session/open_two_platforms.hpp"
 #include "session/platform/force_platform.hpp"
 #include "session/simulated_person.hpp"
 #include "session/tracked_hand/tracked_hand.hpp"
+#include "session/two_platforms/two_platforms.hpp"
 
 namespace isograsp::session {
 
@@ -32,8 +34,9 @@ Result<std::unique_ptr<Apparatus>> open_platform(const ApparatusRequest& request
       PlatformOptions{request.hand, request.library, request.display_delay_s}));
 }
 
-constexpr std::array<ApparatusRow, 9> kRows{
-    {{"qtm", "", "", open_arm, MarkerArm::kKind},
+constexpr std::array<ApparatusRow, 10> kRows{
+    {{kTwoPlatformsScheme, "", "", open_two_platforms, TwoPlatforms::kKind},
+     {"qtm", "", "", open_arm, MarkerArm::kKind},
      {"natnet", "", "", open_arm, MarkerArm::kKind},
      {"sim", "arm", "", open_arm, MarkerArm::kKind},
      {"replay", "", "rig", open_arm, MarkerArm::kKind},
@@ -58,13 +61,21 @@ std::span<const ApparatusRow> all_apparatuses() noexcept {
   return kRows;
 }
 
+Result<Uri> parse_address(const std::string& text) {
+  if (!two_platforms_in(text)) return Uri::parse(text);
+  Uri both;
+  both.text = text;
+  both.scheme = kTwoPlatformsScheme;
+  return both;
+}
+
 Result<std::unique_ptr<Apparatus>> open_apparatus(const ApparatusRequest& request,
                                                   std::span<const ApparatusRow> rows) {
   return row_for(request.uri, rows).open(request);
 }
 
 std::string_view kind_of_apparatus(const std::string& uri, std::span<const ApparatusRow> rows) {
-  const auto parsed = Uri::parse(uri);
+  const auto parsed = parse_address(uri);
   return parsed ? row_for(*parsed, rows).kind : std::string_view();
 }
 

@@ -17,7 +17,7 @@ namespace isograsp::session {
 
 struct ApparatusRequest {
   Uri uri;
-  Hand hand = Hand::right;
+  Hand hand = Hand::right;                ///< that is measured; of two platforms no matter
   std::string library;                    ///< folder with scenes/, tasks/ and patients/
   std::optional<double> display_delay_s;  ///< of the patient's screen; nothing: not measured
 };
@@ -33,6 +33,9 @@ struct ApparatusRow {
 };
 /// The table: every apparatus that this program knows; the last row takes all that is left.
 [[nodiscard]] std::span<const ApparatusRow> all_apparatuses() noexcept;
+
+/// The URI of one device; of two platforms (open_two_platforms.hpp) scheme and text alone.
+[[nodiscard]] Result<Uri> parse_address(const std::string& text);
 
 /// @pre one of the rows fits; what it refuses is refused.
 [[nodiscard]] Result<std::unique_ptr<Apparatus>> open_apparatus(

@@ -73,12 +73,12 @@ void Recorder::take(const RecordItem& item) {
 }
 
 void Recorder::add_event(const RecordItem& item) {
+  const Text words = item.where ? (*item.where)(item.reason) : Text(item.reason);
   if (!item.told_before)
-    stored(store_->add_event(
-        {trial_id_, item.session_time_s, item.event_kind, item.reason.english()}));
+    stored(store_->add_event({trial_id_, item.session_time_s, item.event_kind, english(words)}));
   if (!item.pauses) return;
   SessionNews news;
-  news.fault = item.reason;
+  news.fault = words;
   publish(std::move(news));
 }
 

@@ -30,6 +30,7 @@ std::vector<std::size_t> rows_that_count(const Signals& trial) {
 }  // namespace
 
 std::optional<RestingForce> resting_force(const Signals& trial) {
+  if (!trial.has(columns::finger_force[0][0])) return std::nullopt;  // of both hands
   const auto rows = rows_that_count(trial);
   if (rows.size() < 2) return std::nullopt;
   const auto n = static_cast<double>(rows.size());

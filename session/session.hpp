@@ -40,8 +40,8 @@ struct SessionConfig {
   bool create_database =
       false;                 ///< make the file if it is absent; nothing is made if the device fails
   std::string patient_code;  ///< created in the database if new
-  Hand hand = Hand::right;
-  std::string device_uri;
+  std::optional<Hand> hand = Hand::right;  ///< nothing: both, each on a platform
+  std::string device_uri;                  ///< of both hands: two_platforms_uri()
   /// Which apparatus the tasks need ("platform"); a device that is another one is refused. Empty:
   /// any.
   std::string apparatus;
@@ -55,6 +55,7 @@ struct SessionConfig {
   std::optional<tasks::Effort>
       allowed;                      ///< outcome of the screening for this hand; nothing: not asked
   std::optional<double> ceiling_N;  ///< no target may exceed it
+  OfHands<std::optional<double>> ceilings_N;    ///< of both hands: no target may ask one for more
   std::vector<storage::SessionAnswer> answers;  ///< what was asked before: screening, posture
   double settle_after_strapping_s = kSettleAfterStrapping_s;  ///< before a resting force
   std::optional<double> display_delay_s;  ///< of the patient's screen; nothing: not measured
@@ -102,7 +103,7 @@ struct ScreenShown {
 struct SessionNews {
   std::optional<PreparationOutcome> prepared;
   std::optional<TrialOutcome> trial;
-  std::optional<Words> fault;    ///< the running trial was paused by the device: why
+  std::optional<Text> fault;     ///< the running trial was paused by the device: why
   std::optional<Error> failure;  ///< recording or device failed: the session cannot go on
 };
 

@@ -34,6 +34,7 @@ void Lessons::learn(const tasks::TaskSpec& spec, const storage::TrialRecord& tri
                     const std::vector<Measure>& measures, const RestOutcome* rest) {
   if (trial.status != storage::TrialStatus::completed || trial.helped) return;
   learn_maxima(measures);
+  learn_hands(measures);
   learn_range(spec, measures);
   learn_way(spec);
   training.learn(spec, trial, measures);
@@ -50,6 +51,17 @@ void Lessons::learn_maxima(const std::vector<Measure>& measures) {
     if (known == nullptr || !channel) continue;
     double& value_N = (*known)[*channel];
     value_N = std::max(value_N, *measure.value);
+  }
+}
+
+void Lessons::learn_hands(const std::vector<Measure>& measures) {
+  for (const Measure& measure : measures) {
+    const auto hand = hand_from_name(measure.channel);
+    if (!hand || !measure.value) continue;
+    tasks::HandReferences& of = two_hands.of[*hand];
+    if (measure.name == "maximum_force")
+      of.maximum_N = std::max(of.maximum_N.value_or(*measure.value), *measure.value);
+    if (measure.name == "resting_force") of.resting_N = *measure.value;
   }
 }
 
@@ -94,6 +106,7 @@ tasks::TaskContext SessionKnowledge::next_context() const {
   tasks::TaskContext context;
   context.period_s = apparatus.period_s;
   context.references = references;
+  context.two_hands = two_hands;
   context.ranges = ranges;
   context.screening = arm_screening;
   context.seed = trial_seed(order_seed(), earlier.trials_made + trials_begun);

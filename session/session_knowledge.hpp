@@ -24,16 +24,19 @@ struct RestOutcome;
 
 /// What trials teach.
 struct Lessons {
-  tasks::ForceReferences references;  ///< what tasks measure forces against
-  Training training;                  ///< the level of training tasks, earlier sessions included
-  std::vector<OwnRange> ranges;       ///< of the links of an arm, the widest of this session
-  tasks::ArmScreening arm_screening;  ///< passive ranges, and how far was gone to postures
+  tasks::ForceReferences references;    ///< what tasks measure forces against
+  tasks::TwoHandsReferences two_hands;  ///< the same of both hands at once
+  Training training;                    ///< the level of training tasks, earlier sessions included
+  std::vector<OwnRange> ranges;         ///< of the links of an arm, the widest of this session
+  tasks::ArmScreening arm_screening;    ///< passive ranges, and how far was gone to postures
 
   /// Only completed trials teach, and those in which nobody helped. `rest`: of a trial at rest.
   void learn(const tasks::TaskSpec& spec, const storage::TrialRecord& trial,
              const std::vector<Measure>& measures, const RestOutcome* rest);
   /// Maxima and comfortable forces that a trial measured raise the references of their channels.
   void learn_maxima(const std::vector<Measure>& measures);
+  /// Maximum and resting force of each hand, of a trial that measured both.
+  void learn_hands(const std::vector<Measure>& measures);
   /// A range of motion that a trial measured widens that of its link.
   void learn_range(const tasks::TaskSpec& spec, const std::vector<Measure>& measures);
   /// The way to fixed postures that was gone, if there was a screening.

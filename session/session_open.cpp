@@ -8,9 +8,11 @@
 #include "device/config/uri.hpp"
 #include "session/arm/marker_arm.hpp"
 #include "session/arm/passive_range.hpp"
+#include "session/open_two_platforms.hpp"
 #include "session/session_parts.hpp"
 #include "session/tracked_hand/hand_size.hpp"
 #include "session/tracked_hand/tracked_hand.hpp"
+#include "session/two_platforms/two_zeros.hpp"
 #include "storage/access/open_store.hpp"
 #include "storage/crypto/content_hash.hpp"
 #include "storage/person/consent.hpp"
@@ -59,6 +61,16 @@ Result<void> tell_of_person(TrackedHand& hand, storage::SessionStore& store,
   return hand.know_person(entry, simulated || *research == "given");
 }
 
+/// References of a session: no target asks a hand for more.
+constexpr OfHands<const char*> kCeilings_N{"left_ceiling_N", "right_ceiling_N"};
+
+/// The one hand that is affected; nothing: not known, both or neither.
+std::optional<Hand> affected_hand(const storage::PatientProfile& profile) {
+  if (profile.affected == storage::Side::left) return Hand::left;
+  if (profile.affected == storage::Side::right) return Hand::right;
+  return std::nullopt;
+}
+
 /// Of an apparatus that is no platform: what it has of such a device.
 DeviceInfo device_of(const ApparatusInfo& apparatus, const Uri& uri) {
   DeviceInfo device;
@@ -90,6 +102,7 @@ struct Session::Opening {
 
   // Nothing is written.
   Result<void> check_request();
+  Result<void> check_hands() const;
   Result<void> open_device();
   Result<void> check_basis();
   Result<void> start_device();
@@ -120,11 +133,10 @@ Result<std::unique_ptr<Session>> Session::open(const SessionConfig& config) {
 }
 
 Result<void> Session::Opening::check_request() {
-  auto parsed = Uri::parse(config.device_uri);
+  auto parsed = parse_address(config.device_uri);
   if (!parsed) return parsed.error();
   uri = *std::move(parsed);
-  const std::string named_hand = uri.text_or("hand", std::string(name_of(config.hand)));
-  if (auto same = check_hand(config.device_uri, named_hand, config.hand); !same) return same;
+  if (auto same = check_hands(); !same) return same;
   if (auto good = storage::check_patient_code(config.patient_code); !good) return good;
   for (const storage::SessionAnswer& answer : config.answers)
     if (auto good = storage::check_answer(answer); !good) return good;
@@ -138,12 +150,28 @@ Result<void> Session::Opening::check_request() {
   return {};
 }
 
+/// Both hands are on two platforms, one hand is on one device that is for it.
+Result<void> Session::Opening::check_hands() const {
+  const bool two = two_platforms_in(config.device_uri).has_value();
+  if (!config.hand && two) return {};
+  if (!config.hand || two)
+    return refused(
+               "a session of both hands has two platforms, one of one hand has one device"_text,
+               "give the left and the right platform and no hand, or one device and its hand"_text)
+        .at(config.device_uri)
+        .about("hand");
+  const std::string named = uri.text_or("hand", std::string(name_of(*config.hand)));
+  return check_hand(config.device_uri, named, *config.hand);
+}
+
 Result<void> Session::Opening::open_device() {
-  auto opened = open_apparatus({uri, config.hand, config.library, config.display_delay_s},
-                               config.apparatuses);
+  auto opened = open_apparatus(
+      {uri, config.hand.value_or(Hand::right), config.library, config.display_delay_s},
+      config.apparatuses);
   if (!opened) return opened.error();
   parts.apparatus = *std::move(opened);
   parts.platform = dynamic_cast<ForcePlatform*>(parts.apparatus.get());
+  parts.two_platforms = dynamic_cast<TwoPlatforms*>(parts.apparatus.get());
   const ApparatusInfo& info = parts.apparatus->info();
   if (auto fits = check_apparatus(config.apparatus, info); !fits) return fits;
   if (config.virtual_time && !info.simulated && !info.recorded)
@@ -255,18 +283,26 @@ Result<void> Session::Opening::describe_session() {
   parts.apparatus->describe(session);
   if (config.allowed) session.allowed = tasks::name_of(*config.allowed);
   storage::set_value(session.references, platform::kCeiling_N, config.ceiling_N);
+  for (const Hand hand : kBothHands)
+    storage::set_value(session.references, kCeilings_N[hand], config.ceilings_N[hand]);
   if (uri.parameters.contains("seed"))
     session.seed = std::strtoull(uri.parameters.at("seed").c_str(), nullptr, 10);
   return {};
 }
 
 Result<void> Session::Opening::read_what_is_known() {
-  auto zero = store->last_preparation(record(), platform::kInstrumentZero);
+  auto zero = store->last_preparation(
+      record(), parts.two_platforms != nullptr ? kTwoZeros : platform::kInstrumentZero);
   if (!zero) return zero.error();
   last_zero = *std::move(zero);
   auto training = Training::read(*store, record());
   if (!training) return training.error();
   parts.known.training = *std::move(training);
+  if (parts.two_platforms != nullptr) {
+    const auto profile = store->profile(patient.id);
+    if (!profile) return profile.error();
+    parts.known.two_hands.affected = affected_hand(*profile);
+  }
   if (auto* hand = dynamic_cast<TrackedHand*>(parts.apparatus.get()))
     return tell_of_person(*hand, *store, patient.id);
   return {};
@@ -299,10 +335,16 @@ Result<void> Session::Opening::set_references() {
       tasks::effort_from_name(known.record.allowed).value_or(tasks::Effort::maximum);
   references.ceiling_N = storage::value_of(known.record.references, platform::kCeiling_N);
   if (parts.platform != nullptr) references.resolution_N = parts.platform->resolution_N();
+  for (const Hand hand : kBothHands) {
+    tasks::HandReferences& of = known.two_hands.of[hand];
+    of.ceiling_N = storage::value_of(known.record.references, kCeilings_N[hand]);
+    if (parts.two_platforms != nullptr) of.resolution_N = parts.two_platforms->resolution_N(hand);
+  }
   if (!known.record.allowed.empty()) known.arm_screening.way_done = known.training.way_done();
   for (const EarlierTrial& trial : known.earlier.trials)
     if (!trial.record.helped) {
       known.learn_maxima(trial.measures);
+      known.learn_hands(trial.measures);
       if (const auto spec = tasks::parse_task(trial.record.task_text, trial.record.task_name))
         known.learn_range(*spec, trial.measures);
     }
@@ -321,6 +363,9 @@ void Session::Opening::start_recording() {
   if (last_zero && parts.platform != nullptr)
     if (const auto mean = platform::six_axes_of(last_zero->columns, last_zero->mean))
       parts.platform->set_last_zero(*mean);
+  if (last_zero && parts.two_platforms != nullptr)
+    if (const auto mean = two_zeros_of(*last_zero, last_zero->mean))
+      parts.two_platforms->set_last_zeros(*mean);
   parts.acquisition = std::make_unique<Acquisition>(*parts.apparatus, *parts.clock);
   auto writer = std::make_unique<SessionWriter>(std::move(store), patient, record(), answers,
                                                 !config.scratch_database);

@@ -2,6 +2,8 @@
 // What a session learns from its news.
 #include "session/session_parts.hpp"
 
+#include "session/two_platforms/two_zeros.hpp"
+
 namespace isograsp::session {
 
 namespace {
@@ -16,14 +18,29 @@ std::optional<std::array<Vec3, kFingerCount>> noise_of(const storage::Preparatio
   return sd_N;
 }
 
+/// The noise of the grip of each hand, both platforms empty.
+void learn_noise(const storage::PreparationRecord& zeros, tasks::TwoHandsReferences& references) {
+  if (zeros.kind != kTwoZeros) return;
+  const auto sd = two_zeros_of(zeros, zeros.sd);
+  if (!sd) return;
+  for (const Hand hand : kBothHands) {
+    std::array<Vec3, kFingerCount> sd_N;
+    for (std::size_t f = 0; f < kFingerCount; ++f) sd_N[f] = (*sd)[hand][f].head<3>();
+    references.of[hand].noise_sd_N = isograsp::noise_of(sd_N, {});
+  }
+}
+
 }  // namespace
 
 void Session::Parts::learn(std::vector<SessionNews>& news) {
   for (auto& item : news) {
     if (item.prepared || item.trial) pending = in_trial = false;
-    if (item.prepared && item.prepared->accepted)
+    if (item.prepared && item.prepared->accepted) {
+      learn_noise(item.prepared->record, known.two_hands);
+      before_last.two_hands = known.two_hands;
       if (const auto noise_sd_N = noise_of(item.prepared->record))
         known.references.noise_sd_N = before_last.references.noise_sd_N = *noise_sd_N;
+    }
     if (!item.trial) continue;
     item.trial->trial.helped = helped;
     if (helped) recorder->mark_helped(item.trial->trial.id, true);

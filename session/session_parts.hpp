@@ -11,6 +11,7 @@
 #include "session/recorder.hpp"
 #include "session/session.hpp"
 #include "session/session_threads.hpp"
+#include "session/two_platforms/two_platforms.hpp"
 
 namespace isograsp::session {
 
@@ -19,8 +20,9 @@ struct Session::Parts {
   SessionKnowledge known;
   std::unique_ptr<Clock> clock;
   std::unique_ptr<Apparatus> apparatus;
-  ForcePlatform* platform = nullptr;  ///< null: it is another apparatus
-  Snapshot blank;                     ///< of another apparatus: its moment, without forces
+  ForcePlatform* platform = nullptr;      ///< null: it is another apparatus
+  TwoPlatforms* two_platforms = nullptr;  ///< likewise
+  Snapshot blank;                         ///< of another apparatus: its moment, without forces
   std::unique_ptr<Acquisition> acquisition;
   std::unique_ptr<Recorder> recorder;
   std::vector<std::unique_ptr<TrialSetup>> setups;         ///< live as long as the threads

@@ -19,23 +19,8 @@ constexpr double kLargestSeed = 9007199254740992.0;  // 2^53: every integer belo
 constexpr double kLatestDay = 10000.0;
 constexpr double kLeastStrength = 0.1;  // of that of the person named
 constexpr double kMostStrength = 5.0;
-
-fs::path people_folder(const std::string& library) {
-  return fs::path(library) / "patients";
-}
-fs::path courses_folder(const std::string& library) {
-  return people_folder(library) / "courses";
-}
-
-void add_names(const std::string& library, const fs::path& folder,
-               std::vector<std::string>& names) {
-  std::error_code unreadable;  // a library without people has none
-  if (!library.empty())
-    for (const auto& entry : fs::directory_iterator(folder, unreadable))
-      if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-  std::sort(names.begin(), names.end());
-  names.erase(std::unique(names.begin(), names.end()), names.end());
-}
+constexpr const char* kPeople = "patients";
+constexpr const char* kCourses = "patients/courses";
 
 /// The file of one of `names`; a name that is none of them opens no file, wherever it points.
 Result<std::string> chosen(const Uri& uri, const std::string& field, Words what,
@@ -54,7 +39,7 @@ Result<std::string> chosen(const Uri& uri, const std::string& field, Words what,
 Result<virtual_patient::PatientTraits> named(const Uri& uri, const std::string& library) {
   if (const auto traits = virtual_patient::patient_traits(uri.target)) return *traits;
   const auto path = chosen(uri, "", "simulated patient"_text, uri.target, simulated_people(library),
-                           people_folder(library));
+                           fs::path(library) / kPeople);
   if (!path) return path.error();
   const auto text = read_text(*path);
   if (!text) return text.error();
@@ -66,7 +51,7 @@ Result<virtual_patient::PatientTraits> named(const Uri& uri, const std::string& 
 Result<virtual_patient::Course> course_of(const Uri& uri, const std::string& library,
                                           const std::string& name) {
   const auto path = chosen(uri, "course", "course"_text, name, simulated_courses(library),
-                           courses_folder(library));
+                           fs::path(library) / kCourses);
   if (!path) return path.error();
   const auto text = read_text(*path);
   if (!text) return text.error();
@@ -79,16 +64,27 @@ Result<double> seed_of(const Uri& uri) {
 
 }  // namespace
 
+std::vector<std::string> names_in(const std::string& library, const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code unreadable;  // a library without people has none
+  if (!library.empty())
+    for (const auto& entry : fs::directory_iterator(library / folder, unreadable))
+      if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 std::vector<std::string> simulated_people(const std::string& library) {
   std::vector<std::string> names{"healthy", "paretic"};
-  add_names(library, people_folder(library), names);
+  const auto of_library = names_in(library, kPeople);
+  names.insert(names.end(), of_library.begin(), of_library.end());
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;
 }
 
 std::vector<std::string> simulated_courses(const std::string& library) {
-  std::vector<std::string> names;
-  add_names(library, courses_folder(library), names);
-  return names;
+  return names_in(library, kCourses);
 }
 
 Result<virtual_patient::PatientTraits> simulated_traits(const Uri& uri,

@@ -2,6 +2,7 @@
 // The person in front of a simulated device, as its URI describes them.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,6 +26,9 @@ namespace isograsp::session {
 [[nodiscard]] Result<virtual_patient::PatientTraits> simulated_traits(const Uri& uri,
                                                                       const std::string& library);
 
+/// Names of the TOML files in a folder of the library, without their ending, sorted.
+[[nodiscard]] std::vector<std::string> names_in(const std::string& library,
+                                                const std::filesystem::path& folder);
 /// Names of the people of a library and of the program, and of its courses; sorted.
 [[nodiscard]] std::vector<std::string> simulated_people(const std::string& library);
 [[nodiscard]] std::vector<std::string> simulated_courses(const std::string& library);

@@ -42,6 +42,7 @@ enum class TaskGroup : std::uint8_t {
   hold_and_let_go,
   fingers_and_directions,
   object,
+  two_hands,
   arm
 };
 

@@ -10,6 +10,7 @@
 
 #include "core/result.hpp"
 #include "hand/force_channel.hpp"
+#include "hand/hands.hpp"
 #include "tasks/aim.hpp"
 
 namespace isograsp::tasks {
@@ -39,6 +40,20 @@ struct ForceReferences {
   /// What one unit of the scale is for this channel [N], or which measurement is missing. The
   /// error's field is `scale`; fixed loads above half of today's maximum are refused.
   [[nodiscard]] Result<double> unit_N(Scale scale, ForceChannel channel, double largest) const;
+};
+
+/// What is known of the grip force of one of two hands; nothing: not measured, or there is no
+/// limit.
+struct HandReferences {
+  std::optional<double> resting_N;     ///< mean at rest in this session
+  std::optional<double> maximum_N;     ///< of this hand alone, above rest, in this session
+  std::optional<double> noise_sd_N;    ///< device empty
+  std::optional<double> resolution_N;  ///< coarsest step of a force component
+  std::optional<double> ceiling_N;     ///< no target may ask this hand for more
+};
+struct TwoHandsReferences {
+  OfHands<HandReferences> of;
+  std::optional<Hand> affected;  ///< nothing: not known, both or neither
 };
 
 /// Half the width of the band round a target [N]: max(fraction |T|, 3 noise SD) (docs/measures.md).

@@ -44,7 +44,8 @@ struct TaskContext {
   double period_s = 0.01;  ///< of the frame grid
   std::uint64_t seed = 0;  ///< of fresh sequences and waits that cannot be foreseen
   ForceReferences references;
-  std::vector<OwnRange> ranges;  ///< of the links of this arm, measured in this session
+  TwoHandsReferences two_hands = {};  ///< of a task of both hands
+  std::vector<OwnRange> ranges;       ///< of the links of this arm, measured in this session
   ArmScreening screening;
   std::optional<ArmPostures> arm;  ///< of a task that names postures
   /// Virtual objects that this hand may still be asked to place in this session.

@@ -8,6 +8,7 @@ const ForceView kNoForce;
 const ObjectView kNoObject;
 const ArmView kNoArm;
 const HandView kNoHand;
+const TwoHandsView kNoTwoHands;
 const ObjectInput kNoObjectInput;
 const HandInput kNoHandInput;
 }  // namespace
@@ -43,6 +44,11 @@ const ArmView& SpecialView::arm() const noexcept {
 const HandView& SpecialView::hand() const noexcept {
   const auto* view = std::get_if<HandView>(&special);
   return view != nullptr ? *view : kNoHand;
+}
+
+const TwoHandsView& SpecialView::two_hands() const noexcept {
+  const auto* view = std::get_if<TwoHandsView>(&special);
+  return view != nullptr ? *view : kNoTwoHands;
 }
 
 ForceView blank_force(const ForceReferences& references, ForceChannel channel) {

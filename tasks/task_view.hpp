@@ -12,6 +12,7 @@
 #include "hand/arm_links.hpp"
 #include "hand/finger.hpp"
 #include "hand/force_channel.hpp"
+#include "hand/hands.hpp"
 #include "hand/stimulus.hpp"
 #include "kinematics/attitude.hpp"
 #include "tasks/references.hpp"
@@ -52,8 +53,13 @@ struct HandInput {
   /// The therapist lets the object go for the person: until the next one is placed.
   bool let_go = false;
 };
+/// Of a task of two hands, each on a platform of its own.
+struct TwoHandsInput {
+  OfHands<FingerWrenches> wrench_C;  ///< zeroed, contact frames
+};
 /// std::monostate: of an apparatus whose tasks need to know nothing but the time.
-using TaskInput = std::variant<std::monostate, ForceInput, ObjectInput, ArmInput, HandInput>;
+using TaskInput =
+    std::variant<std::monostate, ForceInput, ObjectInput, ArmInput, HandInput, TwoHandsInput>;
 
 struct ForceView {
   ForceChannel channel;     ///< the force that the task is about
@@ -110,9 +116,24 @@ struct HandView {
   bool helped = false;        ///< it was let go for the person
 };
 
+/// What is asked of one of two hands, and its grip force.
+struct HandAsked {
+  Cue cue = Cue::relax;
+  double force_N = 0.0;
+  bool force_shown = false;                       ///< the patient sees it
+  std::optional<double> target_N = std::nullopt;  ///< nothing: none of its own
+};
+/// Of a task of two hands.
+struct TwoHandsView {
+  OfHands<HandAsked> of;
+  bool sum_shown = false;              ///< the patient sees the force of both together
+  std::optional<double> target_sum_N;  ///< asked of both together; nothing: nothing is
+  TwoHandsReferences references;
+};
+
 /// What is special about a task of one sort.
 struct SpecialView {
-  std::variant<std::monostate, ForceView, ObjectView, ArmView, HandView> special;
+  std::variant<std::monostate, ForceView, ObjectView, ArmView, HandView, TwoHandsView> special;
 
   /// Of a force task, or of the hand that holds an object; blank: of neither.
   [[nodiscard]] const ForceView& force() const noexcept;
@@ -122,6 +143,8 @@ struct SpecialView {
   [[nodiscard]] const ArmView& arm() const noexcept;
   /// Blank: of a task that is not about a tracked hand.
   [[nodiscard]] const HandView& hand() const noexcept;
+  /// Blank: of a task that is not about two hands.
+  [[nodiscard]] const TwoHandsView& two_hands() const noexcept;
 };
 
 /// What the screen shows and the record keeps after a step.

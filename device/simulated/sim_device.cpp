@@ -111,8 +111,8 @@ class SimDevice final : public ForceDevice {
 }  // namespace
 
 Result<std::unique_ptr<ForceDevice>> open_sim_device(const Uri& uri, const DeviceOptions& options) {
-  if (auto known = uri.require_known(
-          {"seed", "hand", "rate", "drop", "recovery", "day", "course", "strength", "resolution"});
+  if (auto known = uri.require_known({"seed", "hand", "rate", "drop", "recovery", "day", "course",
+                                      "strength", "resolution", "file"});
       !known)
     return known.error();
   if (uri.target.empty())

@@ -28,6 +28,7 @@ Words words_of(TaskGroup group) noexcept {
     case TaskGroup::hold_and_let_go: return "Hold and let go"_text;
     case TaskGroup::fingers_and_directions: return "Single fingers, directions"_text;
     case TaskGroup::object: return "Move an object"_text;
+    case TaskGroup::two_hands: return "Two hands"_text;
     case TaskGroup::arm: return "Move the arm"_text;
   }
   return ""_text;

@@ -114,7 +114,7 @@ void Acquisition::tell_fault() noexcept {
   const ApparatusFault fault = apparatus_.fault();
   if (fault.number == told_fault_) return;
   told_fault_ = fault.number;
-  if (fault.number != 0) push_event(kFaultEvent, fault.words);
+  if (fault.number != 0) push_event(kFaultEvent, fault.words, fault.where);
 }
 
 void Acquisition::begin_trial(TrialSetup& setup) noexcept {
@@ -159,7 +159,7 @@ void Acquisition::pause(PauseCause cause) noexcept {
              : cause == PauseCause::occluded    ? "occluded"
              : cause == PauseCause::object_lost ? kObjectLostEvent
                                                 : "pause",
-             (fault.number != 0 ? fault.words : words_of(cause)));
+             (fault.number != 0 ? fault.words : words_of(cause)), fault.where);
   item_.pauses = item_.told_before = false;
 }
 
@@ -185,9 +185,11 @@ void Acquisition::push(RecordItem::Kind kind) noexcept {
   if (!records_.push(item_)) ++now_.recorder_dropped;
 }
 
-void Acquisition::push_event(const char* kind, Words text) noexcept {
+void Acquisition::push_event(const char* kind, Words text,
+                             std::optional<Phrase<1>> where) noexcept {
   item_.event_kind = kind;
   item_.reason = text;
+  item_.where = where;
   push(RecordItem::Kind::event);
 }
 

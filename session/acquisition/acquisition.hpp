@@ -29,6 +29,7 @@ struct RecordItem {
   TrialRow row;                                                   ///< sample
   storage::TrialStatus status = storage::TrialStatus::completed;  ///< end
   Words reason = ""_text;                                         ///< end, event
+  std::optional<Phrase<1>> where;                                 ///< event: ApparatusFault::where
   const char* event_kind = "";
   bool pauses = false;       ///< event: the trial stands still because of the device
   bool told_before = false;  ///< event: the fault has been recorded already
@@ -74,7 +75,8 @@ class Acquisition {
   void finish() noexcept;
   /// Sends item_ to the recorder; counts it if there is no room.
   void push(RecordItem::Kind kind) noexcept;
-  void push_event(const char* kind, Words text) noexcept;
+  void push_event(const char* kind, Words text,
+                  std::optional<Phrase<1>> where = std::nullopt) noexcept;
   void publish(Timestamp frame_ready) noexcept;
   /// Counts period, lateness and work of the frame that was published last.
   void measure_timing() noexcept;

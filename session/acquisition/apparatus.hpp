@@ -64,6 +64,8 @@ struct Reception {
 struct ApparatusFault {
   int number = 0;         ///< 0: nothing
   Words words = ""_text;  ///< for people, with what to do
+  /// Of which part, where there are several of a kind: words in which the others stand.
+  std::optional<Phrase<1>> where = std::nullopt;
 };
 
 /// A preparation is asked for.

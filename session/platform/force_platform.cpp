@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/platform/force_platform.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <array>
 #include <string>
 #include <utility>
 
-#include "core/csv.hpp"
 #include "hand/platform_records.hpp"
 #include "session/platform/contact_threshold.hpp"
 #include "session/platform/prepare_trial.hpp"
@@ -15,27 +13,13 @@ namespace isograsp::session {
 
 namespace {
 constexpr std::array<PreparationStep, 2> kSteps{PreparationStep::zero, PreparationStep::rest};
-
-/// How counts became forces, a line a finger; empty if the device has no counts.
-std::string calibration_text(const DeviceInfo& info) {
-  std::string text;
-  for (std::size_t f = 0; f < kFingerCount; ++f) {
-    if (info.units_per_count[f].isZero(0.0)) continue;
-    text += std::string(kFingerNames[f]) + ": N or N m per count";
-    for (const double unit : info.units_per_count[f]) text += " " + format_number(unit);
-    if (!info.calibration[f].empty()) text += "; matrix " + info.calibration[f];
-    text += "\n";
-  }
-  return text;
-}
-
 }  // namespace
 
 ForcePlatform::ForcePlatform(std::unique_ptr<ForceDevice> device,
                              std::unique_ptr<virtual_patient::VirtualPatient> person,
                              PlatformOptions options)
-    : person_(std::move(person)), device_(std::move(device)), options_(std::move(options)) {
-  const DeviceInfo& of = device_->info();
+    : person_(std::move(person)), platform_(std::move(device)), options_(std::move(options)) {
+  const DeviceInfo& of = platform_.info();
   info_ = {kKind,      of.description, of.simulated, of.recorded, of.frame_period_s,
            of.delay_s, of.provenance};
 }
@@ -45,15 +29,9 @@ std::span<const PreparationStep> ForcePlatform::steps() const noexcept {
 }
 
 Result<void> ForcePlatform::start(Clock& clock) {
-  if (auto started = device_->start(clock); !started) return started;
-  streaming_ = true;
-  clock_ = &clock;
-  frames_.emplace(*device_, clock, device_->now(clock));
+  if (auto started = platform_.start(clock); !started) return started;
+  platform_.begin(platform_.now());
   return {};
-}
-
-void ForcePlatform::stop() noexcept {
-  if (std::exchange(streaming_, false)) device_->stop();
 }
 
 Result<void> ForcePlatform::ready() {
@@ -67,18 +45,11 @@ Result<void> ForcePlatform::ready() {
       .about("zero");
 }
 
-std::optional<double> ForcePlatform::resolution_N() const noexcept {
-  double coarsest_N = 0.0;
-  for (const Vec6& unit : device().units_per_count)
-    coarsest_N = std::max(coarsest_N, unit.head<3>().cwiseAbs().maxCoeff());
-  return coarsest_N > 0.0 ? std::optional(coarsest_N) : std::nullopt;  // 0: it has no counts
-}
-
 void ForcePlatform::describe(storage::SessionRecord& session) const {
   for (const Finger finger : kFingers)
     session.sensors.push_back(
         {std::string(name_of(finger)), device().serial_numbers[index_of(finger)]});
-  session.calibration = calibration_text(device());
+  session.calibration = platform_.calibration();
 }
 
 Result<std::unique_ptr<Preparation>> ForcePlatform::make_preparation(const ZeroRequest& request) {
@@ -109,91 +80,38 @@ Result<std::unique_ptr<TrialSetup>> ForcePlatform::make_trial(const tasks::TaskS
 }
 
 bool ForcePlatform::next() noexcept {
-  if (!frames_->next(now_.forces)) return false;
+  if (!platform_.next(now_.forces)) return false;
   now_.session_time_s = now_.forces.t_s;
   return true;
 }
 
 void ForcePlatform::begin(Preparation& preparation) noexcept {
-  auto& zero = static_cast<InstrumentZero&>(preparation);
-  zero.zeroing = Zeroing(info_.period_s);
-  zero.wait_s = zero.settle_s;
-  for (std::size_t f = 0; f < kFingerCount; ++f) zero.restarts[f] = now_.health.sensors[f].restarts;
+  platform_.begin(static_cast<InstrumentZero&>(preparation));
 }
 
 bool ForcePlatform::measure(Preparation& preparation) noexcept {
   auto& zero = static_cast<InstrumentZero&>(preparation);
-  if (zero.wait_s > 0.0) {
-    zero.wait_s -= info_.period_s;
-    return false;
-  }
-  zero.zeroing.add(now_.forces);
+  const bool ended = platform_.measure(zero, now_.forces);
   now_.zero_progress = zero.zeroing.progress();
-  if (!zero.zeroing.complete() && !zero.zeroing.hopeless()) return false;
-  judge(zero);
-  if (!zero.refusal) {
-    zero_ = zero.statistics.mean;
-    restarts_at_zero_ = zero.restarts;
-  }
-  now_.zeroed = zero_.has_value();
+  if (!ended) return false;
+  if (!zero.refusal) platform_.accept(zero);
+  now_.zeroed = platform_.zeroed();
   return true;
 }
 
-void ForcePlatform::judge(InstrumentZero& zero) noexcept {
-  zero.refusal = ZeroRefusal{};
-  if (!zero.zeroing.complete()) return;
-  zero.statistics = zero.zeroing.statistics();
-  const SixAxes& mean = zero.statistics.mean;
-  const auto& last = zero_ ? zero_ : last_zero_;
-  zero.refusal = check_zero(zero.statistics, zero.accept_changed ? std::nullopt : last);
-  zero.change_confirmed = zero.accept_changed && check_zero(zero.statistics, last).has_value();
-  if (last) zero.change_N = largest_force_change_N(mean, *last);
-  if (zero_) zero.drift_N = largest_force_change_N(mean, *zero_);
-}
-
 Reception ForcePlatform::receive() noexcept {
-  now_.health = device_->health();
-  Reception reception;
-  reception.gap = now_.forces.any(SampleFlag::missing);
-  watch_restarts();
-  subtract_zero();
-  reception.sight = hold_missing();
+  std::array<bool, kFingerCount> used{true, true, true};
+  if (trial_ != nullptr && trial_->plan) used = trial_->plan->scene().fingers_used();
+  const Reception reception = platform_.receive(now_.forces, used);
+  now_.health = platform_.health();
+  now_.restarted = platform_.restarted();
   now_.grip_N = force_of(now_.forces.wrench_C, {});
-  now_.push = net_push(device_->info().platform, now_.forces, now_.grip_N);
+  now_.push = net_push(device().platform, now_.forces, now_.grip_N);
   for (std::size_t f = 0; f < kFingerCount; ++f)
     now_.centre_of_pressure[f] = (now_.forces.flags[f] & bit(SampleFlag::missing)) != 0
                                      ? std::nullopt
                                      : centre_of_pressure(now_.forces.wrench_C[f]);
   return reception;
-}
-
-void ForcePlatform::watch_restarts() noexcept {
-  now_.restarted.reset();
-  if (!zero_) return;
-  for (const Finger finger : kFingers)
-    if (now_.health.sensors[index_of(finger)].restarts != restarts_at_zero_[index_of(finger)])
-      now_.restarted = finger;
-}
-
-void ForcePlatform::subtract_zero() noexcept {
-  if (!zero_) return;
-  for (std::size_t f = 0; f < kFingerCount; ++f) {
-    now_.forces.wrench_C[f].force -= (*zero_)[f].head<3>();
-    now_.forces.wrench_C[f].torque -= (*zero_)[f].tail<3>();
-  }
-}
-
-Reception::Sight ForcePlatform::hold_missing() noexcept {
-  FingerFrame& frame = now_.forces;
-  std::array<bool, kFingerCount> present{};
-  for (std::size_t f = 0; f < kFingerCount; ++f)
-    present[f] = (frame.flags[f] & bit(SampleFlag::missing)) == 0;
-  std::array<bool, kFingerCount> used{true, true, true};
-  if (trial_ != nullptr && trial_->plan) used = trial_->plan->scene().fingers_used();
-  const auto verdict = stale_.apply(frame.wrench_C, present, used, info_.period_s);
-  for (std::size_t f = 0; f < kFingerCount; ++f)
-    if (stale_.held(f)) frame.flags[f] = bit(SampleFlag::held);
-  return verdict == StaleRule::Verdict::frozen ? Reception::Sight::lost : Reception::Sight::clear;
 }
 
 void ForcePlatform::begin(TrialSetup& setup) noexcept {
@@ -240,7 +158,10 @@ void ForcePlatform::move() noexcept {
 }
 
 void ForcePlatform::publish() noexcept {
-  if (now_.stage == Stage::finished) now_.health = device_->health();
+  if (now_.stage == Stage::finished) {
+    platform_.look();
+    now_.health = platform_.health();
+  }
   snapshots_.publish(now_);
 }
 
@@ -248,23 +169,10 @@ void ForcePlatform::show() noexcept {
   if (person_ != nullptr) person_->see(screen_of(now_));
 }
 
-ApparatusFault ForcePlatform::fault() const noexcept {
-  const DeviceHealth& health = now_.health;
-  if (health.fault == DeviceFault::none) return {};
-  // One number for each pair of fault and finger.
-  const auto finger = health.finger ? 1 + index_of(*health.finger) : 0;
-  return {static_cast<int>(static_cast<std::size_t>(health.fault) * (1 + kFingerCount) + finger),
-          words_of(health.fault, health.finger)};
-}
-
-double ForcePlatform::lateness_s() const noexcept {
-  return frames_->lateness_s(now_.forces);
-}
-
 std::optional<double> ForcePlatform::latency_s() const noexcept {
-  const auto& stamp = frames_->completed_by();
+  const auto& stamp = platform_.completed_by();
   if (!stamp) return std::nullopt;
-  return to_seconds(device_->now(*clock_) - *stamp);
+  return to_seconds(platform_.now() - *stamp);
 }
 
 }  // namespace isograsp::session

@@ -2,19 +2,14 @@
 // The platform for three fingers as an apparatus: forces -> zero -> wrench -> pose -> task.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "core/latest.hpp"
 #include "core/time.hpp"
-#include "device/sensors/force_device.hpp"
-#include "device/sensors/frame_reader.hpp"
-#include "hand/stale.hpp"
 #include "session/acquisition/apparatus.hpp"
-#include "session/platform/instrument_zero.hpp"
+#include "session/platform/platform_reader.hpp"
 #include "session/platform/platform_trial.hpp"
 #include "session/platform/snapshot.hpp"
 #include "virtual_patient/virtual_patient.hpp"
@@ -36,17 +31,19 @@ class ForcePlatform final : public Apparatus {
                          std::unique_ptr<virtual_patient::VirtualPatient> person = nullptr,
                          PlatformOptions options = {});
 
-  [[nodiscard]] const DeviceInfo& device() const noexcept { return device_->info(); }
-  /// Coarsest step of a force component; 0: the device has no counts.
-  [[nodiscard]] std::optional<double> resolution_N() const noexcept;
+  [[nodiscard]] const DeviceInfo& device() const noexcept { return platform_.info(); }
+  /// Coarsest step of a force component; nothing: the device has no counts.
+  [[nodiscard]] std::optional<double> resolution_N() const noexcept {
+    return platform_.resolution_N();
+  }
   /// Of the same device in an earlier session. Before the first zero of this one.
-  void set_last_zero(const SixAxes& mean) noexcept { last_zero_ = mean; }
+  void set_last_zero(const SixAxes& mean) noexcept { platform_.set_last_zero(mean); }
   Latest<Snapshot>& snapshots() noexcept { return snapshots_; }  ///< acquisition -> owner
 
   // The other functions of Apparatus are called through a pointer to it.
   [[nodiscard]] const ApparatusInfo& info() const noexcept override { return info_; }
   [[nodiscard]] Result<void> start(Clock& clock) override;
-  void stop() noexcept override;
+  void stop() noexcept override { platform_.stop(); }
 
  private:
   [[nodiscard]] std::span<const PreparationStep> steps() const noexcept override;
@@ -74,31 +71,19 @@ class ForcePlatform final : public Apparatus {
   void end(TrialSetup& trial) noexcept override;
 
   [[nodiscard]] Moment& now() noexcept override { return now_; }
-  [[nodiscard]] ApparatusFault fault() const noexcept override;
-  [[nodiscard]] double lateness_s() const noexcept override;
+  [[nodiscard]] ApparatusFault fault() const noexcept override { return platform_.fault(); }
+  [[nodiscard]] double lateness_s() const noexcept override {
+    return platform_.lateness_s(now_.forces);
+  }
   [[nodiscard]] std::optional<double> latency_s() const noexcept override;
 
-  void subtract_zero() noexcept;
-  /// Whether a sensor has started anew since the zero.
-  void watch_restarts() noexcept;
-  /// Applies the stale rule.
-  [[nodiscard]] Reception::Sight hold_missing() noexcept;
-  void judge(InstrumentZero& zero) noexcept;
-
   std::unique_ptr<virtual_patient::VirtualPatient> person_;
-  std::unique_ptr<ForceDevice> device_;  ///< is pressed by the person
+  PlatformReader platform_;  ///< is pressed by the person
   PlatformOptions options_;
   ApparatusInfo info_;
-  const Clock* clock_ = nullptr;
-  std::optional<FrameReader> frames_;  ///< once it is started
-  bool streaming_ = false;
-  StaleRule stale_;
   Latest<Snapshot> snapshots_;
 
-  Snapshot now_;                      ///< the state that is published
-  std::optional<SixAxes> last_zero_;  ///< of an earlier session
-  std::optional<SixAxes> zero_;       ///< in force; nothing: none yet
-  std::array<std::uint64_t, kFingerCount> restarts_at_zero_{};
+  Snapshot now_;  ///< the state that is published
   PlatformTrial* trial_ = nullptr;
 };
 

@@ -47,7 +47,7 @@ void show_object(const Snapshot& now, Stimulus& screen) noexcept {
 
 }  // namespace
 
-Stimulus screen_of(const Snapshot& now) noexcept {
+Stimulus page_of(const Moment& now) noexcept {
   Stimulus screen;
   screen.t_s = now.session_time_s;
   if (now.stage != Stage::trial && now.stage != Stage::paused) {
@@ -58,6 +58,12 @@ Stimulus screen_of(const Snapshot& now) noexcept {
   screen.page_cue = now.task.cue;
   screen.cue = now.stage == Stage::paused ? Cue::relax : screen.page_cue;
   screen.progress = shown_progress(now.task);
+  return screen;
+}
+
+Stimulus screen_of(const Snapshot& now) noexcept {
+  Stimulus screen = page_of(now);
+  if (now.stage != Stage::trial && now.stage != Stage::paused) return screen;
   show_force(now, screen);
   if (now.has_object) show_object(now, screen);
   return screen;

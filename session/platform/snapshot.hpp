@@ -47,6 +47,10 @@ struct Snapshot : Moment {
   GraspWrench grasp;
 };
 
+/// What every picture of a platform says: the cue of its page and how far the task has come; before
+/// and after trials that is all. Real-time safe.
+[[nodiscard]] Stimulus page_of(const Moment& now) noexcept;
+
 /// What is on the patient's screen at this frame, decided here alone: for whoever draws it when
 /// they draw, for a simulated person in every frame. Real-time safe.
 [[nodiscard]] Stimulus screen_of(const Snapshot& now) noexcept;

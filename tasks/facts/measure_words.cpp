@@ -195,6 +195,10 @@ constexpr std::array kEntries{
     Entry{"share_affected", "Share of the affected hand"_text, Better::unknown},
     Entry{"asymmetry", "Asymmetry of the hands"_text, Better::near_zero},
     Entry{"effort_share_affected", "Share of the effort, affected hand"_text, Better::unknown},
+    Entry{"force_above_rest", "Mean force above rest"_text, Better::unknown},
+    Entry{"bilateral_force", "Maximum force beside the other hand"_text, Better::higher},
+    Entry{"bilateral_deficit", "Bilateral index (below 0: deficit)"_text, Better::unknown},
+    Entry{"mirror_force", "Overflow into the hand at rest"_text, Better::unknown, Use::research},
     Entry{"hand_correlation", "Correlation of the hands"_text, Better::unknown, Use::research},
     Entry{"hand_lag", "Lag of the affected hand behind the other"_text, Better::near_zero,
           Use::research},
@@ -285,14 +289,15 @@ constexpr std::array<std::string_view, 16> kSteadyErrors{"seen",
 
 /// Differences of logarithms, correlations and shares with a sign: their scale does not end at
 /// zero. A measure that is best near zero is judged by its distance from zero, whose scale does.
-constexpr std::array<std::string_view, 7> kBelowZero{
-    "least_angle",   "largest_angle",   "individuation_index",  "projection_ratio",
-    "synergy_index", "synergy_index_z", "grip_load_correlation"};
+constexpr std::array<std::string_view, 9> kBelowZero{
+    "least_angle",           "largest_angle",    "individuation_index",
+    "projection_ratio",      "synergy_index",    "synergy_index_z",
+    "grip_load_correlation", "force_above_rest", "bilateral_deficit"};
 
 /// Channels that need no word: the only one of their measure, or the one that is usual.
-constexpr std::array<std::string_view, 15> kPlainChannels{
+constexpr std::array<std::string_view, 16> kPlainChannels{
     "force",   "grip",      "platform", "digits", "position", "angle", "targets", "thumb_index",
-    "contact", "transport", "object",   "task",   "trunk",    "total", ""};
+    "contact", "transport", "object",   "task",   "trunk",    "total", "both",    ""};
 /// Parts of a force target; turns of an object; links of an arm; phases of drinking.
 constexpr std::pair<std::string_view, Words> kParts[] = {
     {"rx", ", turn about x"_text},
@@ -303,6 +308,8 @@ constexpr std::pair<std::string_view, Words> kParts[] = {
     {"force_fall", ", letting down"_text},
     {"force_rate", " of the force"_text},
     {"opening", ", opening"_text},
+    {"left", ", left hand"_text},
+    {"right", ", right hand"_text},
     {"forearm", ", forearm"_text},
     {"wrist", ", wrist"_text},
     {"fingers", ", fingers"_text},

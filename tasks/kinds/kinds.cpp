@@ -25,6 +25,10 @@
 #include "tasks/kinds/object/pick_place.hpp"
 #include "tasks/kinds/object/pose_targets.hpp"
 #include "tasks/kinds/object/pose_tracking.hpp"
+#include "tasks/kinds/two_hands/bilateral_maximum.hpp"
+#include "tasks/kinds/two_hands/bilateral_rest.hpp"
+#include "tasks/kinds/two_hands/bilateral_tracking.hpp"
+#include "tasks/kinds/two_hands/mirror.hpp"
 
 namespace isograsp::tasks {
 
@@ -54,6 +58,10 @@ constexpr std::array kKinds{
     &PoseMatchingSpec::kFacts,
     &PoseFollowingSpec::kFacts,
     &DrinkingSpec::kFacts,
+    &BilateralRestSpec::kFacts,
+    &BilateralMaximumSpec::kFacts,
+    &BilateralTrackingSpec::kFacts,
+    &MirrorSpec::kFacts,
     &RecordedSpec::kFacts,
 };
 // clang-format on

@@ -12,8 +12,9 @@
 
 namespace isograsp::tasks {
 
-EffortForces effort_of(const Record& record, const Part& part, double window_s) {
-  const auto force = record.signals().column(columns::actual_force_N);
+EffortForces effort_of(const Record& record, const Part& part, double window_s,
+                       const Column& force_column, const Column& resting_column) {
+  const auto force = record.signals().column(force_column);
   // A window must be uninterrupted, so this list keeps the rows that do not count.
   std::vector<double> force_N;
   std::vector<double> weight_s;
@@ -29,7 +30,7 @@ EffortForces effort_of(const Record& record, const Part& part, double window_s) 
   }
   effort.total = best_moving_mean(force_N, weight_s, valid, window_s);
   effort.above_rest = effort.total;
-  const double resting_N = known_in(record, part, columns::resting_force_N);
+  const double resting_N = known_in(record, part, resting_column);
   if (effort.total.value)
     effort.above_rest = std::isnan(resting_N)
                             ? statistics::Computed("the resting force was not measured"_text)

@@ -15,7 +15,9 @@ struct EffortForces {
   statistics::Computed total = "no samples"_text;
   statistics::Computed peak = "no samples"_text;
 };
-EffortForces effort_of(const Record& record, const Part& part, double window_s);
+EffortForces effort_of(const Record& record, const Part& part, double window_s,
+                       const Column& force = columns::actual_force_N,
+                       const Column& resting = columns::resting_force_N);
 
 /// Press, above what the digits did in the lead-in, of those that were to open.
 void add_coflexion(const Record& record, const Part& part, const std::string& channel,

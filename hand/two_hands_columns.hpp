@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The columns of a session with two platforms, one for each hand (hand/columns.hpp says how columns
+// are made): what was asked of each hand and of both, their forces, what the devices sent. "Force
+// of a hand" is its grip force: the weaker of the thumb and both fingers together, signed.
+#pragma once
+
+#include "hand/columns.hpp"
+#include "hand/hands.hpp"
+
+namespace isograsp::columns {
+
+// Of each hand.
+inline constexpr OfHands<Column> hand_grip{
+    plain("left_force_N", "Grip force of the left hand"_text),
+    plain("right_force_N", "Grip force of the right hand"_text)};
+inline constexpr OfHands<Column> target_hand_grip{
+    plain("target_left_force_N", "Force asked of the left hand; empty: none"_text),
+    plain("target_right_force_N", "Force asked of the right hand; empty: none"_text)};
+inline constexpr OfHands<Column> hand_cue{
+    plain("left_cue", "What the left hand is asked to do, as in cue"_text),
+    plain("right_cue", "What the right hand is asked to do, as in cue"_text)};
+inline constexpr OfHands<Column> hand_force_shown{
+    plain("left_force_shown", "1: the force of the left hand was on the screen"_text),
+    plain("right_force_shown", "1: the force of the right hand was on the screen"_text)};
+inline constexpr OfHands<Column> hand_resting_force_N{
+    plain("left_resting_force_N", "Resting force of the left hand in this session"_text),
+    plain("right_resting_force_N", "Resting force of the right hand in this session"_text)};
+inline constexpr OfHands<Column> hand_maximum_force_N{
+    plain("left_maximum_force_N", "Maximum force of the left hand alone in this session"_text),
+    plain("right_maximum_force_N", "Maximum force of the right hand alone in this session"_text)};
+
+// Of both.
+inline constexpr Column sum_force_N =
+    plain("sum_force_N", "Grip force of both hands together"_text);
+inline constexpr Column target_sum_force_N =
+    plain("target_sum_force_N", "Force asked of both hands together; empty: none"_text);
+inline constexpr Column sum_force_shown =
+    plain("sum_force_shown", "1: the force of both hands together was on the screen"_text);
+inline constexpr Column affected_hand =
+    plain("affected_hand", "Affected side: 0 left, 1 right; empty: not known, both or none"_text);
+/// Between the samples that completed the frames of both platforms.
+inline constexpr Column skew_s = plain(
+    "skew_s", "Newest sample of the right platform later than that of the left by so much"_text);
+
+// Fingers of each hand.
+inline constexpr OfHands<OfFingersAxes> hands_finger_force{
+    along_of_fingers("left_", "_f", "_N", "Force of the left %1 along %2"_text, "contact"),
+    along_of_fingers("right_", "_f", "_N", "Force of the right %1 along %2"_text, "contact")};
+inline constexpr OfHands<OfFingersAxes> hands_finger_torque{
+    along_of_fingers("left_", "_t", "_Nm", "Torque of the left %1 along %2"_text, "contact"),
+    along_of_fingers("right_", "_t", "_Nm", "Torque of the right %1 along %2"_text, "contact")};
+[[nodiscard]] constexpr OfFingers flags_of_fingers(std::string_view front, Phrase<1> what) {
+  OfFingers all;
+  for (std::size_t f = 0; f < kFingerCount; ++f)
+    all[f] = {FixedText<28>(front, kFingerNames[f], "_flags"),
+              ColumnWords(what, kFingerNames[f]),
+              {},
+              {},
+              kFingerNames[f]};
+  return all;
+}
+inline constexpr OfHands<OfFingers> hands_finger_flags{
+    flags_of_fingers("left_",
+                     "Flags of the left %1: 1 held, 2 missing, 4 saturated, 8 overload"_text),
+    flags_of_fingers("right_",
+                     "Flags of the right %1: 1 held, 2 missing, 4 saturated, 8 overload"_text)};
+/// Sum of its fingers, signed, in the axes of the patient's view.
+inline constexpr OfHands<OfAxes> hand_push{
+    along("left_push_", "_N", "Net push of the left hand on its platform along %1"_text, "world",
+          "platform"),
+    along("right_push_", "_N", "Net push of the right hand on its platform along %1"_text, "world",
+          "platform")};
+inline constexpr OfHands<OfFingersAxes> hands_raw_force{
+    along_of_fingers("left_", "_f", "_counts",
+                     "Raw force count of the left %1's sensor along %2"_text, "sensor"),
+    along_of_fingers("right_", "_f", "_counts",
+                     "Raw force count of the right %1's sensor along %2"_text, "sensor")};
+inline constexpr OfHands<OfFingersAxes> hands_raw_torque{
+    along_of_fingers("left_", "_t", "_counts",
+                     "Raw torque count of the left %1's sensor along %2"_text, "sensor"),
+    along_of_fingers("right_", "_t", "_counts",
+                     "Raw torque count of the right %1's sensor along %2"_text, "sensor")};
+
+}  // namespace isograsp::columns

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/two_platforms/two_platforms.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "hand/two_hands_columns.hpp"
+#include "session/platform/zeroing.hpp"
+#include "session/two_platforms/two_zeros.hpp"
+
+namespace isograsp::session {
+
+namespace {
+
+constexpr std::array<PreparationStep, 2> kStepsOfTwo{PreparationStep::zero, PreparationStep::rest};
+constexpr std::array<bool, kFingerCount> kAllFingers{true, true, true};
+/// A lag of one hand behind the other would be off by the difference of their delays: a frame of
+/// the fastest grid is the most that is let pass.
+constexpr double kLargestDelayDifference_s = 0.001;
+
+Number milliseconds(double duration_s) {
+  constexpr double kMilliseconds = 1e3;
+  return fixed(duration_s * kMilliseconds, 1);
+}
+
+ApparatusInfo info_of(const DeviceInfo& left, const DeviceInfo& right) {
+  ApparatusInfo info;
+  info.kind = TwoPlatforms::kKind;
+  info.description = "left: %1; right: %2"_text(left.description, right.description);
+  info.simulated = left.simulated;
+  info.period_s = left.frame_period_s;
+  info.delay_s = std::max(left.delay_s, right.delay_s);
+  for (const std::string& line : left.provenance) info.provenance.push_back("left: " + line);
+  for (const std::string& line : right.provenance) info.provenance.push_back("right: " + line);
+  return info;
+}
+
+}  // namespace
+
+Result<void> TwoPlatforms::check(const Devices& devices) {
+  const DeviceInfo& left = devices.left->info();
+  const DeviceInfo& right = devices.right->info();
+  if (left.recorded || right.recorded)
+    return refused("recorded forces of one hand cannot stand beside another device"_text,
+                   "score a record of two hands with isograsp score --affected"_text)
+        .at(left.recorded ? left.uri : right.uri);
+  if (left.simulated != right.simulated)
+    return refused("one platform is simulated and the other one is not"_text,
+                   "use two devices, or sim://pair for both"_text)
+        .at(left.simulated ? left.uri : right.uri);
+  if (left.frame_period_s != right.frame_period_s)
+    return refused("the platforms have other rates: a frame takes %1 ms and %2 ms"_text(
+                       milliseconds(left.frame_period_s), milliseconds(right.frame_period_s)),
+                   "set both to one rate"_text)
+        .at(right.uri)
+        .about("rate");
+  if (std::abs(left.delay_s - right.delay_s) > kLargestDelayDifference_s)
+    return refused("the platforms have other delays: %1 ms and %2 ms"_text(
+                       milliseconds(left.delay_s), milliseconds(right.delay_s)),
+                   "set both to one rate and filter, or one hand would seem to lag"_text)
+        .at(right.uri)
+        .about("filter");
+  return {};
+}
+
+TwoPlatforms::TwoPlatforms(Devices devices, std::unique_ptr<virtual_patient::VirtualPair> pair,
+                           std::optional<double> display_delay_s)
+    : pair_(std::move(pair)),
+      sides_{PlatformReader(std::move(devices.left)), PlatformReader(std::move(devices.right))},
+      display_delay_s_(display_delay_s),
+      info_(info_of(sides_.left.info(), sides_.right.info())) {}
+
+std::span<const PreparationStep> TwoPlatforms::steps() const noexcept {
+  return kStepsOfTwo;
+}
+
+/// Both grids begin at one instant.
+Result<void> TwoPlatforms::start(Clock& clock) {
+  for (const Hand hand : kBothHands)
+    if (auto started = sides_[hand].start(clock); !started) {
+      stop();
+      return started;
+    }
+  const Timestamp begin = std::max(sides_.left.now(), sides_.right.now());
+  for (const Hand hand : kBothHands) sides_[hand].begin(begin);
+  return {};
+}
+
+void TwoPlatforms::stop() noexcept {
+  for (const Hand hand : kBothHands) sides_[hand].stop();
+}
+
+void TwoPlatforms::describe(storage::SessionRecord& session) const {
+  for (const Hand hand : kBothHands) {
+    const std::string side(name_of(hand));
+    for (const Finger finger : kFingers)
+      session.sensors.push_back({side + " " + std::string(name_of(finger)),
+                                 device(hand).serial_numbers[index_of(finger)]});
+    if (const std::string text = sides_[hand].calibration(); !text.empty())
+      session.calibration += side + "\n" + text;
+  }
+}
+
+Result<void> TwoPlatforms::ready() {
+  const TwoPlatformsSnapshot& now = snapshots_.read();
+  for (const Hand hand : kBothHands) {
+    const auto& restarted = now.of[hand].restarted;
+    if (standing_of_zero(info_.recorded, now.zeroed, restarted.has_value()) ==
+        ZeroStanding::outdated)
+      return failed("since the zeros were set a sensor started anew (%1 %2)"_text(
+                        Known{std::string(name_of(hand))}, Known{std::string(name_of(*restarted))}),
+                    "take both hands out and set the zeros again"_text)
+          .about("zero");
+  }
+  return {};
+}
+
+Result<std::unique_ptr<Preparation>> TwoPlatforms::make_preparation(const ZeroRequest& request) {
+  if (!request.device_is_empty)
+    return refused("nobody has confirmed that both platforms are empty"_text,
+                   "take both hands out, let nothing touch the supports, and confirm that"_text);
+  auto zeros = std::make_unique<TwoZeros>();
+  for (const Hand hand : kBothHands) {
+    zeros->of[hand].settle_s = request.settle_s;
+    zeros->of[hand].accept_changed = request.accept_changed;
+  }
+  return std::unique_ptr<Preparation>(std::move(zeros));
+}
+
+Result<std::unique_ptr<TrialSetup>> TwoPlatforms::make_trial(const tasks::TaskSpec& spec,
+                                                             const tasks::TaskContext& context) {
+  auto task = tasks::make_task(spec, context);
+  if (!task) return task.error();
+  auto trial = std::make_unique<TwoPlatformsTrial>();
+  trial->spec = spec;
+  trial->task = *std::move(task);
+  trial->references = context.two_hands;
+  trial->device_delay_s = info_.delay_s;
+  trial->display_delay_s = display_delay_s_;
+  trial->record.task_name = spec.name;
+  trial->record.task_version = spec.version;
+  trial->record.task_text = spec.text;
+  trial->record.seed = context.seed;
+  for (const Hand hand : kBothHands) {
+    const tasks::HandReferences& of = context.two_hands.of[hand];
+    storage::set_value(trial->record.references, columns::hand_maximum_force_N[hand], of.maximum_N);
+    storage::set_value(trial->record.references, columns::hand_resting_force_N[hand], of.resting_N);
+  }
+  return std::unique_ptr<TrialSetup>(std::move(trial));
+}
+
+bool TwoPlatforms::next() noexcept {
+  for (const Hand hand : kBothHands)
+    if (!sides_[hand].next(now_.of[hand].forces)) return false;
+  now_.session_time_s = now_.of.left.forces.t_s;
+  const auto& left = sides_.left.completed_by();
+  const auto& right = sides_.right.completed_by();
+  now_.skew_s = left && right ? std::optional(to_seconds(*right - *left)) : std::nullopt;
+  return true;
+}
+
+void TwoPlatforms::begin(Preparation& preparation) noexcept {
+  auto& zeros = static_cast<TwoZeros&>(preparation);
+  for (const Hand hand : kBothHands) sides_[hand].begin(zeros.of[hand]);
+}
+
+bool TwoPlatforms::measure(Preparation& preparation) noexcept {
+  auto& zeros = static_cast<TwoZeros&>(preparation);
+  for (const Hand hand : kBothHands)
+    if (!zeros.ended[hand])
+      zeros.ended[hand] = sides_[hand].measure(zeros.of[hand], now_.of[hand].forces);
+  now_.zero_progress =
+      std::min(zeros.of.left.zeroing.progress(), zeros.of.right.zeroing.progress());
+  if (!zeros.ended.left || !zeros.ended.right) return false;
+  if (!zeros.of.left.refusal && !zeros.of.right.refusal)
+    for (const Hand hand : kBothHands) sides_[hand].accept(zeros.of[hand]);
+  now_.zeroed = sides_.left.zeroed() && sides_.right.zeroed();
+  return true;
+}
+
+Reception TwoPlatforms::receive() noexcept {
+  Reception both;
+  for (const Hand hand : kBothHands) {
+    PlatformSide& side = now_.of[hand];
+    const Reception one = sides_[hand].receive(side.forces, kAllFingers);
+    both.gap = both.gap || one.gap;
+    if (one.sight != Reception::Sight::clear) both.sight = one.sight;
+    side.health = sides_[hand].health();
+    side.restarted = sides_[hand].restarted();
+    side.grip_N = force_of(side.forces.wrench_C, {});
+    side.push_W.reset();
+    if (!side.forces.any(SampleFlag::missing))
+      side.push_W =
+          push_in_view(hand, net_wrench(sides_[hand].info().platform, side.forces.wrench_C).force);
+  }
+  return both;
+}
+
+void TwoPlatforms::begin(TrialSetup& setup) noexcept {
+  trial_ = &static_cast<TwoPlatformsTrial&>(setup);
+  now_.special = {};
+}
+
+void TwoPlatforms::end(TrialSetup&) noexcept {
+  for (const Hand hand : kBothHands) trial_->health[hand] = now_.of[hand].health;
+  trial_ = nullptr;
+}
+
+void TwoPlatforms::step() noexcept {
+  const tasks::TaskView view = trial_->task->step(
+      tasks::TwoHandsInput{{now_.of.left.forces.wrench_C, now_.of.right.forces.wrench_C}});
+  now_.task = view;
+  now_.special = view;
+}
+
+void TwoPlatforms::write(const RowFrame& frame, TrialRow& row) noexcept {
+  trial_->write(frame, now_, row);
+}
+
+void TwoPlatforms::publish() noexcept {
+  if (now_.stage == Stage::finished)
+    for (const Hand hand : kBothHands) {
+      sides_[hand].look();
+      now_.of[hand].health = sides_[hand].health();
+    }
+  snapshots_.publish(now_);
+}
+
+void TwoPlatforms::show() noexcept {
+  if (pair_ != nullptr) pair_->see(screen_of(now_));
+}
+
+/// The left one's first, if both have one.
+ApparatusFault TwoPlatforms::fault() const noexcept {
+  ApparatusFault fault = sides_.left.fault();
+  if (fault.number != 0) {
+    fault.where = "Left platform: %1"_text;
+    return fault;
+  }
+  fault = sides_.right.fault();
+  if (fault.number == 0) return fault;
+  fault.number += PlatformReader::kFaultNumbers;
+  fault.where = "Right platform: %1"_text;
+  return fault;
+}
+
+double TwoPlatforms::lateness_s() const noexcept {
+  return std::max(sides_.left.lateness_s(now_.of.left.forces),
+                  sides_.right.lateness_s(now_.of.right.forces));
+}
+
+std::optional<double> TwoPlatforms::latency_s() const noexcept {
+  const auto& left = sides_.left.completed_by();
+  const auto& right = sides_.right.completed_by();
+  if (!left || !right) return std::nullopt;
+  return to_seconds(sides_.right.now() - std::max(*left, *right));
+}
+
+}  // namespace isograsp::session

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What both screens show of a session on two platforms, one for each hand, copied out of the
+// acquisition thread. SI units; wrenches of fingers in contact frames, after instrument zero.
+#pragma once
+
+#include <optional>
+
+#include "device/sensors/force_device.hpp"
+#include "hand/hands.hpp"
+#include "hand/stimulus.hpp"
+#include "session/acquisition/moment.hpp"
+#include "tasks/task_view.hpp"
+
+namespace isograsp::session {
+
+/// One platform and the hand on it.
+struct PlatformSide {
+  DeviceHealth health;
+  FingerFrame forces;  ///< newest frame; flags say what is held or missing
+  /// Whose sensor has started anew since the zero was measured.
+  std::optional<Finger> restarted;
+  double grip_N = 0.0;  ///< min(thumb, index + middle), signed
+  /// Sum of the fingers, signed, in the axes of the patient's view [N]; nothing: a finger has no
+  /// value.
+  std::optional<Vec3> push_W;
+};
+
+/// Copying it takes no memory from the heap. Published once per frame.
+struct TwoPlatformsSnapshot : Moment {
+  OfHands<PlatformSide> of;
+  /// The newest sample of the right platform is later than that of the left by so much; nothing: a
+  /// frame was closed because its time was up.
+  std::optional<double> skew_s;
+  tasks::SpecialView special;  ///< of the running trial's task, beside its progress
+};
+
+/// Net push of one hand in the axes of the patient's view: those of the platform, which for a left
+/// hand is turned by pi about y (docs/conventions.md). Real-time safe.
+[[nodiscard]] Vec3 push_in_view(Hand hand, const Vec3& force_P) noexcept;
+
+/// What is on the patient's screen at this frame, decided here alone (screen_of() of a platform).
+/// Real-time safe.
+[[nodiscard]] Stimulus screen_of(const TwoPlatformsSnapshot& now) noexcept;
+
+}  // namespace isograsp::session

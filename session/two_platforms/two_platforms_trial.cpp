@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/two_platforms/two_platforms_trial.hpp"
+
+#include "hand/two_hands_columns.hpp"
+#include "session/acquisition/json_object.hpp"
+#include "session/platform/health_json.hpp"
+
+namespace isograsp::session {
+
+namespace {
+
+constexpr double kBlank = tasks::kNotMeasured;
+
+template <class Number>
+double stored_number(Number value) {
+  return static_cast<double>(value);
+}
+
+template <class Sink>
+void put_hands_task(Sink& sink, const RowFrame& frame, const TwoPlatformsSnapshot& seen,
+                    const TwoPlatformsTrial& trial) {
+  const tasks::TwoHandsView& task = seen.special.two_hands();
+  put_progress(sink, frame);
+  std::uint8_t flags = 0;
+  for (const Hand hand : kBothHands)
+    for (const std::uint8_t finger : seen.of[hand].forces.flags) flags |= finger;
+  sink.put(columns::sample_flags, stored_number(flags));
+  sink.put(columns::segment, stored_number(frame.task.segment));
+  sink.put(columns::cue, stored_number(frame.task.cue));
+  sink.put(columns::target_sum_force_N, task.target_sum_N.value_or(kBlank));
+  sink.put(columns::sum_force_N, seen.of.left.grip_N + seen.of.right.grip_N);
+  sink.put(columns::sum_force_shown, stored_number(task.sum_shown));
+  for (const Hand hand : kBothHands) {
+    const tasks::HandAsked& asked = task.of[hand];
+    sink.put(columns::target_hand_grip[hand], asked.target_N.value_or(kBlank));
+    sink.put(columns::hand_grip[hand], seen.of[hand].grip_N);
+    sink.put(columns::hand_cue[hand], stored_number(asked.cue));
+    sink.put(columns::hand_force_shown[hand], stored_number(asked.force_shown));
+  }
+  for (const Hand hand : kBothHands) {
+    const tasks::HandReferences& of = trial.references.of[hand];
+    sink.put(columns::hand_resting_force_N[hand], of.resting_N.value_or(kBlank));
+    sink.put(columns::hand_maximum_force_N[hand], of.maximum_N.value_or(kBlank));
+  }
+  const auto& affected = trial.references.affected;
+  sink.put(columns::affected_hand, !affected ? kBlank : *affected == Hand::left ? 0.0 : 1.0);
+  sink.put(columns::device_delay_s, trial.device_delay_s.value_or(kBlank));
+  sink.put(columns::display_delay_s, trial.display_delay_s.value_or(kBlank));
+}
+
+template <class Sink>
+void put_triple(Sink& sink, const columns::OfAxes& axes, const Vec3& value, bool known) {
+  for (std::size_t a = 0; a < 3; ++a)
+    sink.put(axes[a], known ? value[static_cast<Eigen::Index>(a)] : kBlank);
+}
+
+template <class Sink>
+void put_hand_forces(Sink& sink, Hand hand, const PlatformSide& side) {
+  for (std::size_t f = 0; f < kFingerCount; ++f) {
+    const bool known = (side.forces.flags[f] & bit(SampleFlag::missing)) == 0;
+    put_triple(sink, columns::hands_finger_force[hand][f], side.forces.wrench_C[f].force, known);
+    put_triple(sink, columns::hands_finger_torque[hand][f], side.forces.wrench_C[f].torque, known);
+  }
+  for (std::size_t f = 0; f < kFingerCount; ++f)
+    sink.put(columns::hands_finger_flags[hand][f], stored_number(side.forces.flags[f]));
+  put_triple(sink, columns::hand_push[hand], side.push_W.value_or(Vec3::Zero()),
+             side.push_W.has_value());
+}
+
+template <class Sink>
+void put_hand_counts(Sink& sink, Hand hand, const FingerFrame& forces) {
+  for (std::size_t f = 0; f < kFingerCount; ++f) {
+    const RawCounts& counts = forces.raw_counts[f];
+    for (std::size_t a = 0; a < 3; ++a)
+      sink.put(columns::hands_raw_force[hand][f][a], stored_number(counts[a]));
+    for (std::size_t a = 0; a < 3; ++a)
+      sink.put(columns::hands_raw_torque[hand][f][a], stored_number(counts[3 + a]));
+  }
+}
+
+template <class Sink>
+void put_hands_row(Sink sink, const RowFrame& frame, const TwoPlatformsSnapshot& seen,
+                   const TwoPlatformsTrial& trial) {
+  put_hands_task(sink, frame, seen, trial);
+  sink.begin("force");
+  for (const Hand hand : kBothHands) put_hand_forces(sink, hand, seen.of[hand]);
+  sink.begin("raw");
+  for (const Hand hand : kBothHands) put_hand_counts(sink, hand, seen.of[hand].forces);
+  put_timing(sink, frame);
+  sink.put(columns::skew_s, seen.skew_s.value_or(kBlank));
+}
+
+}  // namespace
+
+std::vector<storage::SignalGroup> TwoPlatformsTrial::columns() const {
+  std::vector<storage::SignalGroup> groups;
+  put_hands_row(ColumnNames{groups}, {}, {}, *this);
+  return groups;
+}
+
+void TwoPlatformsTrial::write(const RowFrame& frame, const TwoPlatformsSnapshot& seen,
+                              TrialRow& row) const noexcept {
+  put_hands_row(ColumnValues{row}, frame, seen, *this);
+}
+
+std::string TwoPlatformsTrial::health_json() const {
+  JsonObject json;
+  for (const Hand hand : kBothHands) json.add(name_of(hand), as_json(health[hand]));
+  return json.text();
+}
+
+}  // namespace isograsp::session

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The instrument zeros of both platforms as one preparation: both are empty at the same time, and
+// both are good or neither is in force.
+#pragma once
+
+#include <optional>
+
+#include "hand/hands.hpp"
+#include "hand/platform_records.hpp"
+#include "session/platform/instrument_zero.hpp"
+#include "storage/records/records.hpp"
+
+namespace isograsp::session {
+
+struct TwoZeros final : public Preparation {
+  [[nodiscard]] PreparationOutcome outcome() const override;
+
+  OfHands<InstrumentZero> of;
+  OfHands<bool> ended;  ///< its second is over
+};
+
+/// Kind of preparation: left_thumb_fx_N … right_middle_tz_Nm, both platforms empty.
+inline constexpr const char* kTwoZeros = "two_instrument_zeros";
+/// The mean, or the standard deviation, of each platform; nothing: the columns are others.
+[[nodiscard]] std::optional<OfHands<SixAxes>> two_zeros_of(const storage::PreparationRecord& zeros,
+                                                           const std::vector<double>& row);
+
+}  // namespace isograsp::session

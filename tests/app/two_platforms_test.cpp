@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The whole way of both hands as a user goes it: two platforms (in software, on real sockets, or a
+// pair of hands in software), session, database, scores, report, exports.
+#include <cmath>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "core/csv.hpp"
+#include "core/files.hpp"
+#include "tests/support/background_command.hpp"
+#include "tests/support/command.hpp"
+#include "tests/support/every.hpp"
+#include "tests/support/must.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace isograsp::app::two_platforms_test {
+namespace {
+
+using test::isograsp;
+using test::TemporaryFolder;
+
+const std::string kProtocols = std::string(ISOGRASP_SOURCE_DIR) + "/library/protocols/";
+const std::string kPair = "'sim://pair?file=paretic_left&seed=7'";
+
+std::string both(const std::string& left, const std::string& right) {
+  return " --device-left " + left + " --device-right " + right;
+}
+
+TEST(TwoPlatformsApp, AnErrorIsOneLineThatNamesTheCauseAndNothingIsWritten) {
+  const TemporaryFolder folder;
+  const std::string rest = "run --protocol-file " + kProtocols + "two_hands_short.toml --db " +
+                           folder.path("c.db") + " --patient B-1 --fast";
+  for (const auto& [arguments, message] :
+       test::every(std::vector<std::pair<std::string, std::string>>{
+           {both(kPair, kPair) + " --device sim://healthy", "--device"},
+           {both(kPair, kPair) + " --hand left", "--hand"},
+           {" --device-left " + kPair, "--device-right"},
+           {" --device-right " + kPair, "--device-left"},
+           {both("'udp://?config=a.toml'", "'udp://?config=a.toml'"), "one platform"},
+           {both("sim://healthy", "sim://paretic"), "sim://pair"},
+           {both("'sim://pair?file=nobody'", "'sim://pair?file=nobody'"), "nobody"},
+           {both("sim://pair", "sim://pair"), "file=NAME"},
+           {"", "--device"},
+           {" --device sim://healthy", "two_platforms"}})) {
+    const auto result = isograsp(rest + arguments);
+    EXPECT_EQ(result.status, 2) << arguments << "\n" << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_NE(result.err.find(message), std::string::npos) << arguments << "\n" << result.err;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder.path("c.db")));
+}
+
+TEST(TwoPlatformsApp, APairInSoftwareGoesFromSessionToReportAndExports) {
+  const TemporaryFolder folder;
+  const std::string database = folder.path("clinic.db");
+  ASSERT_EQ(isograsp("db init " + database).status, 0);
+  const auto run = isograsp("run --protocol-file " + kProtocols + "two_hands_short.toml --db " +
+                            database + " --patient B-1 --fast" + both(kPair, kPair));
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.out.find("both hands"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("bilateral_deficit"), std::string::npos) << run.out;
+  EXPECT_EQ(isograsp("db check " + database).status, 0);
+  const auto verified = isograsp("db verify " + database);
+  EXPECT_EQ(verified.status, 0) << verified.out << verified.err;
+  EXPECT_NE(verified.out.find("largest relative difference 0"), std::string::npos) << verified.out;
+  const auto report =
+      isograsp("report --patient B-1 --db " + database + " --out " + folder.path("r.html"));
+  ASSERT_EQ(report.status, 0) << report.err;
+  const std::string page = test::must(read_text(folder.path("r.html")));
+  for (const char* said : {"Two hands, maximum", "left hand", "right hand", "SIMULATED"})
+    EXPECT_NE(page.find(said), std::string::npos) << said;
+  for (const char* not_said : {"orrelation of the hands", "Synergy of the hands"})
+    EXPECT_EQ(page.find(not_said), std::string::npos) << not_said << ": of research";
+  for (const char* format : {"csv", "hdf5", "bids", "fhir"}) {
+    const auto exported = isograsp("export --db " + database + " --format " + format + " --out " +
+                                   folder.path(format));
+    EXPECT_EQ(exported.status, 0) << format << exported.err;
+  }
+}
+
+/// Forces that hardly move: quiet enough for a zero, and no sensor that stands still.
+std::string quiet_forces() {
+  std::string text =
+      "t_s,thumb_fx_N,thumb_fy_N,thumb_fz_N,index_fx_N,index_fy_N,index_fz_N,middle_fx_N,"
+      "middle_fy_N,middle_fz_N\n";
+  for (int k = 0; k < 6000; ++k) {
+    text += format_number(k * 0.01);
+    for (int axis = 0; axis < 9; ++axis)
+      text += "," + format_number(0.02 * std::sin(0.3 * k + axis));
+    text += "\n";
+  }
+  return text;
+}
+
+/// A device file of three boxes from this address on.
+std::string boxes(const TemporaryFolder& folder, const char* hand, int first) {
+  std::string text =
+      "format = \"isograsp-device-1\"\nname = \"boxes\"\nprotocol = \"net-ft\"\n"
+      "rate_Hz = 500\nfir_taps = 33\nfir_cutoff_Hz = 31.25\nhand = \"" +
+      std::string(hand) + "\"\n";
+  for (int f = 0; f < 3; ++f)
+    text += std::string("[[sensor]]\nfinger = \"") +
+            (f == 0   ? "thumb"
+             : f == 1 ? "index"
+                      : "middle") +
+            "\"\naddress = \"127.0.0." + std::to_string(first + f) +
+            ":49552:8552\"\nrange_N = [145, 145, 290]\nrange_Nm = [5, 5, 5]\n";
+  return folder.write(std::string(hand) + ".toml", text);
+}
+
+TEST(TwoPlatformsApp, TwoPlatformsOnRealSocketsAreOneSessionWithTheirSkew) {
+  const TemporaryFolder folder;
+  const std::string play = folder.write("quiet.csv", quiet_forces());
+  const std::string left = boxes(folder, "left", 21);
+  const std::string right = boxes(folder, "right", 31);
+  const auto emulator = [&](const std::string& file, int first) {
+    return "\"" ISOGRASP_EXECUTABLE "\" emulate --protocol net-ft --config " + file +
+           " --on 127.0.0." + std::to_string(first) + ":49552:8552 --play " + play +
+           " --duration 30 --json";
+  };
+  const test::BackgroundCommand left_boxes(emulator(left, 21));
+  const test::BackgroundCommand right_boxes(emulator(right, 31));
+  static_cast<void>(folder.write("rest.toml",
+                                 "format = \"isograsp-task-1\"\nname = \"Both at rest\"\n"
+                                 "instruction = \"Rest.\"\nkind = \"bilateral_rest\"\n"
+                                 "duration_s = 3\n"));
+  const std::string protocol = folder.write(
+      "p.toml",
+      "format = \"isograsp-protocol-1\"\nname = \"Short\"\n[[step]]\nkind = \"instrument_zero\"\n"
+      "[[step]]\nkind = \"task\"\ntask = \"rest.toml\"\n");
+  const std::string database = folder.path("clinic.db");
+  const auto run = [&](const std::string& first, const std::string& second) {
+    return isograsp("run --protocol-file " + protocol + " --db " + database + " --patient B-1" +
+                    both("'udp://?config=" + first + "'", "'udp://?config=" + second + "'"));
+  };
+  test::CommandResult done;
+  ASSERT_TRUE(left_boxes.wait_until([&] {
+    done = run(left, right);
+    return done.status == 0;
+  })) << done.err
+      << left_boxes.err() << right_boxes.err();
+  EXPECT_NE(done.out.find("resting_force (right)"), std::string::npos) << done.out;
+  // The platforms of the other hands are not taken for those of these.
+  const auto crossed = run(right, left);
+  EXPECT_EQ(crossed.status, 2);
+  EXPECT_NE(crossed.err.find("set up for the right hand"), std::string::npos) << crossed.err;
+  const auto exported =
+      isograsp("export --db " + database + " --format csv --out " + folder.path("csv"));
+  ASSERT_EQ(exported.status, 0) << exported.err;
+  const std::string table =
+      test::must(read_text(folder.path("csv") + "/patient_1/session_1/trial_1_signals.csv"));
+  left_boxes.wait_for_end();
+  right_boxes.wait_for_end();
+  for (const char* column :
+       {"left_thumb_fz_N", "right_middle_tz_Nm", "left_push_x_N", "skew_s", "left_thumb_fx_counts"})
+    EXPECT_NE(table.find(column), std::string::npos) << column;
+}
+
+}  // namespace
+}  // namespace isograsp::app::two_platforms_test

@@ -26,6 +26,12 @@ bool Recorder::pump() {
 
 void Recorder::look() {
   stored(store_->look());
+  if (basis_in_ && !store_->camera_is_allowed())
+    stored(failed("the lawful basis for a camera that sees this person was withdrawn: it is not "
+                  "looked at any longer, and what was measured before is stored"_text,
+                  "speak with the person; a new session needs a basis on record"_text)
+               .at(*basis_in_)
+               .about("consent"));
 }
 
 void Recorder::take_remarks() {

@@ -31,6 +31,9 @@ class Recorder {
   /// Checks whether the database is still there; news if it is not. Recorder thread, from time to
   /// time.
   void look();
+  /// From now on look() also asks whether a camera may still see the person; where not, the session
+  /// fails and says so. Before the threads begin.
+  void watch_basis(std::string database) { basis_in_ = std::move(database); }
 
   /// Owner thread.
   [[nodiscard]] std::vector<SessionNews> take_news();
@@ -76,6 +79,7 @@ class Recorder {
   std::size_t rows_per_block_;
   Ring<RecordItem>& records_;
   bool live_score_wanted_;
+  std::optional<std::string> basis_in_;  ///< the file that says so; nothing: nobody is seen
   bool finished_ = false;
   RecordItem item_;
 

@@ -371,6 +371,7 @@ void Session::Opening::start_recording() {
                                                 !config.scratch_database);
   parts.recorder = std::make_unique<Recorder>(std::move(writer), record(),
                                               parts.acquisition->records(), !config.virtual_time);
+  if (parts.apparatus->info().watches_person) parts.recorder->watch_basis(config.database);
   // Progress is put in order by the times of sessions.
   if (latest)
     parts.recorder->add_event({std::nullopt, 0.0, "clock",

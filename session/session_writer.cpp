@@ -8,6 +8,7 @@
 #include "storage/access/open_store.hpp"
 #include "storage/care/emergency.hpp"
 #include "storage/crypto/content_hash.hpp"
+#include "storage/person/consent.hpp"
 
 namespace isograsp::session {
 
@@ -304,6 +305,15 @@ Result<void> SessionWriter::look() {
   const auto there = store_->in_place();
   if (there) return {};
   return go_to_emergency(there.error());
+}
+
+bool SessionWriter::camera_is_allowed() {
+  if (lost_ || left_) return true;
+  return std::any_of(storage::kPurposesOfCameras.begin(), storage::kPurposesOfCameras.end(),
+                     [this](std::string_view purpose) {
+                       const auto state = store_->consent_state(patient_.id, std::string(purpose));
+                       return !state || *state == "given";
+                     });
 }
 
 void SessionWriter::keep_whole() {

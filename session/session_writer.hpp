@@ -54,6 +54,9 @@ class SessionWriter {
   [[nodiscard]] Result<void> end_session(const std::string& ended_utc);
   /// Is the database still what was opened? Cheap; to be asked when nothing is written.
   [[nodiscard]] Result<void> look();
+  /// Whether a lawful basis for a camera that sees the person stands, as the file says now; true
+  /// where the file cannot be asked: that is look()'s affair. Cheap.
+  [[nodiscard]] bool camera_is_allowed();
 
  private:
   /// Numbers of rows as they were given first, and in the store of now.

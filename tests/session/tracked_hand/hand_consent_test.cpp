@@ -102,6 +102,26 @@ TEST(HandConsent, WithoutALawfulBasisOnRecordNoStreamIsOpenedAndNothingIsWritten
   EXPECT_EQ(camera_starts, 1);
 }
 
+TEST(HandConsent, ABasisThatIsWithdrawnElsewhereEndsTheSessionAndItsCamera) {
+  const TemporaryFolder folder;
+  const std::string database = folder.path("clinic.db");
+  must(must(storage::open_store(database, storage::OpenMode::create))->add_patient("P-1"));
+  say(database, "treatment", "consent", "given");
+  const auto session = must(Session::open(of_camera(database)));
+  session->let_pass(1.5);  // it was looked at once
+  EXPECT_FALSE(session->failure());
+  say(database, "treatment", "consent", "withdrawn");
+  constexpr double kAtMost_s = 30.0;  // it is looked at once a second
+  session->let_pass(kAtMost_s);       // ends at once when the session has failed
+  const auto failure = session->failure();
+  ASSERT_TRUE(failure.has_value());
+  EXPECT_EQ(failure->field, "consent");
+  test::AtLeast told(1);
+  for (const SessionNews& news : session->take_news())
+    if (news.failure) ++told;
+  session->close();
+}
+
 /// Runs the protocol of opening with a recording; measures of its trial.
 ProtocolResult run_recording(const std::string& database, const std::string& recording) {
   SessionConfig config;

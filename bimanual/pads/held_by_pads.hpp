@@ -34,7 +34,7 @@ class HeldByPads {
   /// What a step from here would solve; the proxies at its end.
   [[nodiscard]] PadStep next(const std::array<Pose, kSides>& proxies,
                              const Vec3& gravity_m_s2) const;
-  /// One step; the proxies at its end. Allocates as PadSteps does.
+  /// One step; the proxies at its end. Does not allocate but in the first one.
   void step(const std::array<Pose, kSides>& proxies, const Vec3& gravity_m_s2);
 
   [[nodiscard]] const Pose& X_WO() const noexcept { return X_WO_; }

@@ -27,16 +27,20 @@ constexpr double kCreep_m_s = 2e-9;
 constexpr double kCoarse = 1e-2;
 /// Once settled, a round that leaves more than this of the slip before is the last one.
 constexpr double kBetter = 0.5;
-constexpr int kMostNewtonRounds = 40, kMostNewtonSteps = 25, kMostTries = 10;
-
-Vec3 velocity_at(const Vec6& v, const Vec3& arm) {
-  return v.head<3>() + v.tail<3>().cross(arm);
-}
-Vec3 across(const Vec3& v, const Vec3& normal) {
-  return v - normal.dot(v) * normal;
-}
+/// Of a pad's size, and as an angle: planes that move less stand.
+constexpr double kPlanesStand = 1e-11;
+constexpr int kMostNewtonRounds = 60, kMostNewtonSteps = 25, kMostTries = 10;
 
 }  // namespace
+
+PointSlip PointSolver::slip_of(const PadFace& spec, const Face& face, std::size_t i,
+                               const Vec6& velocity) const {
+  const PadPoint& point = spec.points[i];
+  const Vec3 v = velocity_at(velocity, point.p_pad);
+  const double closing = point.normal.dot(v);
+  if (!one_plane_) return {closing, v - closing * point.normal};
+  return {closing, across(velocity_at(velocity, face.arms[i]), face.plane)};
+}
 
 void PointSolver::begin(const PadStep& step, bool go_on, const PadSolution& before) {
   step_s_ = step.step_s;
@@ -65,10 +69,11 @@ void PointSolver::begin(const PadStep& step, bool go_on, const PadSolution& befo
     face.relative_free = face.free - face.there * objects_[spec.object].free;
     face.relative = velocity[spec.pad] - face.there * velocity[spec.object];
     begin_points(spec, face);
+    if (one_plane_) static_cast<void>(lay_plane(spec, face));
     if (go_on)
       for (std::size_t i = 0; i < face.points.size(); ++i)
         face.points[i].held_N = face.points[i].foreseen_N =
-            across(before.memory[f].friction_W_N[i], spec.points[i].normal);
+            across(before.memory[f].friction_W_N[i], normal_of(spec, face, i));
   }
 }
 
@@ -99,13 +104,16 @@ void PointSolver::look_at_points(const PadFace& spec, Face& face) const {
     const PointState& state = face.points[i];
     const Vec3& arm = point.p_pad;
     const PointForce force =
-        force_at(point, state, spec.friction, step_s_, velocity_at(face.relative, arm));
+        force_at(state, spec.friction, step_s_, slip_of(spec, face, i, face.relative));
     if (force.normal_N == 0.0) continue;
     const Vec3 all = force.normal_N * point.normal + force.friction_N;
     sum += all;
     torque += arm.cross(all);
     // With the skew matrix S of the arm: K, -K S, S K, -S K S.
-    const Mat3 K = hardness_at(point, state, spec.friction, step_s_, force);
+    const Mat3 K = friction_hardness(point.normal, state, force) +
+                   step_s_ * state.stiffness_N_m *
+                       (point.normal + friction_of_pressure(spec.friction, force)) *
+                       point.normal.transpose();
     Mat3 KS;
     for (int k = 0; k < 3; ++k) KS.row(k) = arm.cross(K.row(k).transpose()).transpose();
     vv += K;
@@ -127,7 +135,10 @@ void PointSolver::look(const PadStep& step) {
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     Face& face = faces_[f];
     Object& object = objects_[face.object];
-    look_at_points(step.faces[f], face);
+    if (one_plane_)
+      look_in_plane(step.faces[f], face);
+    else
+      look_at_points(step.faces[f], face);
     const Vec6 velocity = face.there * object.velocity + face.relative;
     face.residual = face.inertia * (velocity - face.free) + step_s_ * face.wrench;
     object.residual -= step_s_ * face.there.transpose() * face.wrench;
@@ -160,14 +171,15 @@ void PointSolver::foresee(const PadStep& step) {
     const PadFace& spec = step.faces[f];
     Face& face = faces_[f];
     for (std::size_t i = 0; i < face.points.size(); ++i) {
-      const PadPoint& point = spec.points[i];
       PointState& state = face.points[i];
       const PointForce force =
-          force_at(point, state, spec.friction, step_s_, velocity_at(face.relative, point.p_pad));
+          force_at(state, spec.friction, step_s_, slip_of(spec, face, i, face.relative));
       if (force.normal_N == 0.0) continue;
-      const Mat3 K = hardness_at(point, state, spec.friction, step_s_, force);
+      const PointSlip way = slip_of(spec, face, i, face.way);
       state.foreseen_N =
-          force.friction_N + across(K * velocity_at(face.way, point.p_pad), point.normal);
+          force.friction_N +
+          friction_hardness(normal_of(spec, face, i), state, force) * way.across +
+          step_s_ * state.stiffness_N_m * way.closing * friction_of_pressure(spec.friction, force);
     }
   }
 }
@@ -240,11 +252,10 @@ double PointSolver::hold(const PadStep& step, double slipped_before) {
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     const PadFace& spec = step.faces[f];
     for (std::size_t i = 0; i < spec.points.size(); ++i) {
-      const PadPoint& point = spec.points[i];
       PointState& state = faces_[f].points[i];
-      const Vec3 slip = velocity_at(faces_[f].relative, point.p_pad);
+      const PointSlip slip = slip_of(spec, faces_[f], i, faces_[f].relative);
       const auto friction_N = [&] {
-        return force_at(point, state, spec.friction, step_s_, slip).friction_N;
+        return force_at(state, spec.friction, step_s_, slip).friction_N;
       };
       state.held_N = state.foreseen_N = friction_N();
       const double off = (friction_N() - state.held_N).norm() / state.firm;
@@ -267,14 +278,14 @@ void PointSolver::report(const PadStep& step, PadSolution& solution) const {
     const PadFace& spec = step.faces[f];
     solution.velocity[spec.pad] = face.there * objects_[face.object].velocity + face.relative;
     solution.wrench_on_object[f] = face.there.transpose() * face.wrench;
-    solution.constraints += 3 * face.points.size();
+    solution.constraints += one_plane_ ? 4 : 3 * face.points.size();
     PadMemory& memory = solution.memory[f];
     memory.normal_N.resize(face.points.size());
     memory.friction_W_N.resize(face.points.size());
     for (std::size_t i = 0; i < face.points.size(); ++i) {
-      const PointForce force = force_at(spec.points[i], face.points[i], spec.friction, step_s_,
-                                        velocity_at(face.relative, spec.points[i].p_pad));
-      memory.normal_N[i] = force.normal_N;
+      memory.normal_N[i] =
+          force_at(face.points[i], spec.friction, step_s_, slip_of(spec, face, i, face.relative))
+              .normal_N;
       memory.friction_W_N[i] = face.points[i].held_N;
     }
   }
@@ -282,11 +293,12 @@ void PointSolver::report(const PadStep& step, PadSolution& solution) const {
 
 void PointSolver::solve(const PadStep& step, bool go_on, PadSolution& solution) {
   begin(step, go_on, solution);
-  double slipped = 0.0;
+  double slipped = 0.0, moved = 0.0;
   solution.settled = false;
   for (int round = 0; round < kMostNewtonRounds; ++round) {
     look(step);
-    const bool coarse = round == 0 || slipped > std::max(kSettled * speed(), kCreep_m_s);
+    const bool coarse =
+        round == 0 || slipped > std::max(kSettled * speed(), kCreep_m_s) || moved > kPlanesStand;
     const double enough = std::max(kSought * speed(), coarse ? kCoarse * residual() : 0.0);
     for (int k = 0; k < kMostNewtonSteps && residual() > enough; ++k) {
       const double left = residual();
@@ -295,8 +307,9 @@ void PointSolver::solve(const PadStep& step, bool go_on, PadSolution& solution) 
     }
     const double before = slipped;
     slipped = hold(step, before);
-    solution.settled =
-        slipped <= std::max(kSettled * speed(), kCreep_m_s) && residual() <= kSettled * speed();
+    if (one_plane_) moved = lay_planes(step);
+    solution.settled = slipped <= std::max(kSettled * speed(), kCreep_m_s) &&
+                       residual() <= kSettled * speed() && moved <= kPlanesStand;
     if (solution.settled && (slipped <= kSticks * speed() || slipped > kBetter * before)) break;
   }
   report(step, solution);

@@ -4,7 +4,8 @@
 // gives is a function of that in closed form, so that six equations a body are left, and a pass
 // over the points puts them together. Points that stick would make them stiff without end: they are
 // held by springs of velocity, whose force is then held by itself (augmented Lagrangian; Alart,
-// Curnier 1991), until nothing slips that sticks.
+// Curnier 1991), until nothing slips that sticks. With the friction of one plane for each pad this
+// is aggregate_exact: the sum of what its points give is the gradient of the support function.
 #pragma once
 
 #include <vector>
@@ -17,6 +18,10 @@ namespace isograsp::bimanual {
 /// Solves step after step. Does not allocate once it has seen as many bodies and points.
 class PointSolver {
  public:
+  /// `one_plane`: all points of a pad rub in the plane across its mean normal through the centroid
+  /// of its pressure, both as they are at the end of the step; else each where it presses.
+  explicit PointSolver(bool one_plane) : one_plane_(one_plane) {}
+
   /// `go_on`: from where `solution`, of the step before, ended; else from the free motion.
   void solve(const PadStep& step, bool go_on, PadSolution& solution);
 
@@ -39,12 +44,22 @@ class PointSolver {
     Mat6 gives;                    ///< inverse of inertia and hardness
     Vec6 way;                      ///< of `relative`
     std::vector<PointState> points;
+    Vec3 plane = Vec3::Zero();  ///< normal of the one plane
+    std::vector<Vec3> arms;     ///< the points in it
   };
 
   void begin(const PadStep& step, bool go_on, const PadSolution& before);
   void begin_points(const PadFace& spec, Face& face) const;
   void look(const PadStep& step);
   void look_at_points(const PadFace& spec, Face& face) const;
+  void look_in_plane(const PadFace& spec, Face& face) const;
+  [[nodiscard]] double lay_plane(const PadFace& spec, Face& face) const;
+  [[nodiscard]] double lay_planes(const PadStep& step);
+  [[nodiscard]] PointSlip slip_of(const PadFace& spec, const Face& face, std::size_t i,
+                                  const Vec6& velocity) const;
+  [[nodiscard]] const Vec3& normal_of(const PadFace& spec, const Face& face, std::size_t i) const {
+    return one_plane_ ? face.plane : spec.points[i].normal;
+  }
   void find_way();
   void foresee(const PadStep& step);
   void go(double share);
@@ -55,6 +70,7 @@ class PointSolver {
   [[nodiscard]] double speed() const;
   void report(const PadStep& step, PadSolution& solution) const;
 
+  bool one_plane_;
   double step_s_ = 0.0;
   int looks_ = 0;
   std::vector<Object> objects_;  ///< as the bodies of the step; those of pads stand aside

@@ -4,44 +4,37 @@
 #include <algorithm>
 #include <memory>
 
-#include <Eigen/LU>
-
+#include "bimanual/pads/pad_faces.hpp"
 #include "bimanual/pads/pad_points.hpp"
-#include "bimanual/pads/pad_rows.hpp"
 
 namespace isograsp::bimanual {
 
-Bodies::Bodies(const PadStep& step) : step_s(step.step_s), velocity(step.velocity_free) {
-  for (const Mat6& inertia : step.inertia) inverse.push_back(inertia.inverse());
-}
+/// One of the two is used.
+struct PadSteps::Solvers {
+  explicit Solvers(PadSolver solver) : points(solver == PadSolver::aggregate_exact) {}
+  PointSolver points;
+  FaceSolver faces;
+};
 
-PadSolution solve(const PadStep& step, PadSolver solver, const PadSolution* before) {
-  switch (solver) {
-    case PadSolver::pointwise: {
-      PointSolver points;
-      PadSolution solution;
-      if (before != nullptr) solution = *before;
-      points.solve(step, before != nullptr, solution);
-      return solution;
-    }
-    case PadSolver::aggregate: return solve_faces(step, false, before);
-    case PadSolver::aggregate_exact: break;
-  }
-  return solve_faces(step, true, before);
-}
-
-PadSteps::PadSteps(PadSolver solver) : solver_(solver), points_(std::make_unique<PointSolver>()) {}
+PadSteps::PadSteps(PadSolver solver)
+    : solver_(solver), solvers_(std::make_unique<Solvers>(solver)) {}
 PadSteps::~PadSteps() = default;
 PadSteps::PadSteps(PadSteps&&) noexcept = default;
 PadSteps& PadSteps::operator=(PadSteps&&) noexcept = default;
 
 const PadSolution& PadSteps::solve(const PadStep& step) {
-  if (solver_ == PadSolver::pointwise)
-    points_->solve(step, begun_, solution_);
+  if (solver_ == PadSolver::aggregate)
+    solvers_->faces.solve(step, begun_, solution_);
   else
-    solution_ = bimanual::solve(step, solver_, begun_ ? &solution_ : nullptr);
+    solvers_->points.solve(step, begun_, solution_);
   begun_ = true;
   return solution_;
+}
+
+PadSolution solve(const PadStep& step, PadSolver solver, const PadSolution* before) {
+  PadSteps steps(solver);
+  if (before != nullptr) steps.go_on_from(*before);
+  return steps.solve(step);
 }
 
 double wrench_error(const PadSolution& solution, const PadSolution& exact) {

@@ -43,18 +43,16 @@ struct PadStep {
   std::vector<PadFace> faces;
 };
 
-class PointSolver;
-
 enum class PadSolver : std::uint8_t { pointwise, aggregate, aggregate_exact };
 inline constexpr std::array<std::string_view, 3> kPadSolverNames{"pointwise", "aggregate",
                                                                  "aggregate_exact"};
 
-/// Forces of a face that the next step may begin with: of each point, or of the face as one block.
+/// Forces of a face that the next step may begin with: of each point, or (`aggregate`) of the face
+/// as one block.
 struct PadMemory {
   std::vector<double> normal_N;
   std::vector<Vec3> friction_W_N;
   double torque_Nm = 0.0;
-  std::vector<Vec3> point_friction_W_N;  ///< of aggregate_exact
 };
 
 struct PadSolution {
@@ -66,33 +64,39 @@ struct PadSolution {
   std::vector<PadMemory> memory;       ///< of each face
 };
 
-/// Until velocities are within 1e-10 of the largest one: `pointwise` by Newton (impulses are missed
-/// by no more, and nothing that sticks slips by more, or by more than 2 nm/s), the others by block
-/// Gauss-Seidel (no sweep changes more). `before`: the step before, of the same faces and by the
-/// same solver, where it begins; null: at the free motion. The answer is the same within that.
-/// Where several points of a pad stick, their forces are one choice of many that give the same
-/// velocities and the same wrench.
+/// Until velocities are within 1e-10 of the largest one: `pointwise` and `aggregate_exact` by
+/// Newton (impulses are missed by no more, and nothing that sticks slips by more, or by more than 2
+/// nm/s), `aggregate` by block Gauss-Seidel (no sweep changes more). `before`: the step before, of
+/// the same faces and by the same solver, where it begins; null: at the free motion. The answer is
+/// the same within that. Where several points of a pad stick, their forces are one choice of many
+/// that give the same velocities and the same wrench.
 /// @pre a pad belongs to one face, and the places of a point from the two origins differ by the
 /// same for all points of a face.
 [[nodiscard]] PadSolution solve(const PadStep& step, PadSolver solver,
                                 const PadSolution* before = nullptr);
 
-/// The same for one step after the other, each begun where the last one ended. `pointwise` does not
-/// allocate once it has seen as many bodies and points.
+/// The same for one step after the other, each begun where the last one ended. Does not allocate
+/// once it has seen as many bodies and points.
 class PadSteps {
  public:
   explicit PadSteps(PadSolver solver);
   ~PadSteps();
   PadSteps(PadSteps&&) noexcept;
   PadSteps& operator=(PadSteps&&) noexcept;
+  /// As if `before`, by the same solver, had been the last one.
+  void go_on_from(const PadSolution& before) {
+    solution_ = before;
+    begun_ = true;
+  }
   const PadSolution& solve(const PadStep& step);
   [[nodiscard]] const PadSolution& last() const noexcept { return solution_; }
 
  private:
+  struct Solvers;
   PadSolver solver_;
   bool begun_ = false;
   PadSolution solution_;
-  std::unique_ptr<PointSolver> points_;
+  std::unique_ptr<Solvers> solvers_;
 };
 
 /// Largest difference of two solutions: of forces over `largest_N`, of torques over

@@ -25,16 +25,24 @@ struct PointForce {
   Vec3 friction_N = Vec3::Zero();
 };
 
+/// How the pad moves over the object at a point [m/s].
+struct PointSlip {
+  double closing = 0.0;        ///< along the point's normal
+  Vec3 across = Vec3::Zero();  ///< where and in the plane in which it rubs
+};
+
 /// Pressure of the bed at the end of the step. Friction is what holds already, `held_N`, and `firm`
 /// times the slip, within the disk of `friction` times the pressure: where that is `held_N` again
-/// it is Coulomb's, whatever `firm` is. `slip` [m/s]: of the pad over the object.
-[[nodiscard]] PointForce force_at(const PadPoint& point, const PointState& state, double friction,
-                                  double step_s, const Vec3& slip);
+/// it is Coulomb's, whatever `firm` is.
+[[nodiscard]] PointForce force_at(const PointState& state, double friction, double step_s,
+                                  const PointSlip& slip);
 
-/// Change of the whole force with the slip [N s/m]. Where it slides, the way of the friction is
-/// turned as far as `foreseen_N` has come (Chan, Golub, Mulet 1999: Newton then seldom goes too
-/// far); at the answer that is the derivative.
-[[nodiscard]] Mat3 hardness_at(const PadPoint& point, const PointState& state, double friction,
-                               double step_s, const PointForce& force);
+/// Change of the friction with the slip across `normal` [N s/m], the pressure held. Where it
+/// slides, the way of the friction is turned as far as `foreseen_N` has come (Chan, Golub, Mulet
+/// 1999: Newton then seldom goes too far); at the answer that is the derivative.
+[[nodiscard]] Mat3 friction_hardness(const Vec3& normal, const PointState& state,
+                                     const PointForce& force);
+/// By how much friction grows with the pressure: nothing where it sticks.
+[[nodiscard]] Vec3 friction_of_pressure(double friction, const PointForce& force);
 
 }  // namespace isograsp::bimanual

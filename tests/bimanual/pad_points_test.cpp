@@ -13,9 +13,9 @@
 #include "bimanual/pads/pad_scenes.hpp"
 #include "bimanual/pads/pad_step.hpp"
 #include "core/random.hpp"
+#include "tests/bimanual/any_step.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/must.hpp"
-#include "tests/support/no_alloc.hpp"
 #include "tests/support/random_pose.hpp"
 #include "tests/support/within.hpp"
 
@@ -27,18 +27,9 @@ constexpr std::array kCounts{12, 24, 48, 96, 176, 200};
 /// Of the largest velocity: what a solution may leave (pad_step.hpp).
 constexpr double kLeft = 1e-10;
 
-Vec3 velocity_at(const Vec6& v, const Vec3& arm) {
-  return v.head<3>() + Vec3(v.tail<3>()).cross(arm);
-}
-Vec3 slip_at(const PadFace& face, const PadPoint& point, const std::vector<Vec6>& velocity) {
-  return velocity_at(velocity[face.pad], point.p_pad) -
-         velocity_at(velocity[face.object], point.p_object);
-}
-double largest(const std::vector<Vec6>& velocity) {
-  double most = 1e-3;  // slower is standing still
-  for (const Vec6& v : velocity) most = std::max(most, v.cwiseAbs().maxCoeff());
-  return most;
-}
+using test::pads::any_step;
+using test::pads::largest;
+using test::pads::slip_at;
 
 /// By how much a solution misses the problem: impulses of the bodies [m/s], [rad/s] that they would
 /// move by; pressure of the bed [N]; Coulomb's law [m/s].
@@ -91,54 +82,6 @@ void expect_solved(const PadStep& step, const PadSolution& solution) {
   EXPECT_WITHIN(missed.impulse, 0.0, left);
   EXPECT_WITHIN(missed.pressure, 0.0, kPressure_N);
   EXPECT_WITHIN(missed.coulomb, 0.0, std::max(left, kOnceMore * kCreep_m_s));
-}
-
-/// One to four pads on something round, square or locked; fast, slow, thin, deep, without friction,
-/// with points in a row.
-PadStep any_step(Random& random, int kind, int most_points) {
-  const auto uniform = [&](double a, double b) { return a + (b - a) * random.uniform(); };
-  const auto direction = [&] { return Vec3(test::random_attitude(random) * Vec3::UnitX()); };
-  PadStep step;
-  const bool opposite = kind % 3 == 0, curved = kind % 2 == 1, in_a_row = kind % 4 == 1;
-  const double fast = kind % 5 == 0 ? 0.01 : 1.0;
-  const std::size_t pads = opposite ? 2 : 1 + static_cast<std::size_t>(4.0 * random.uniform());
-  const double mass_kg = std::pow(10.0, uniform(-2.0, 0.5)), radius_m = uniform(0.005, 0.06);
-  Mat6 body = Mat6::Identity() * mass_kg;
-  for (int k = 3; k < 6; ++k) body(k, k) *= radius_m * radius_m * uniform(0.2, 0.6);
-  constexpr double kLocked = 1e18;
-  step.inertia.push_back(kind % 11 == 5 ? Mat6(kLocked * body) : body);
-  const auto twist = [&](double v, double w) {
-    Vec6 velocity;
-    velocity << fast * test::random_vector(random, v), fast * test::random_vector(random, w);
-    return velocity;
-  };
-  step.velocity_free.push_back(twist(0.3, 5.0));
-  for (std::size_t pad = 1; pad <= pads; ++pad) {
-    Mat6& give = step.inertia.emplace_back(Mat6::Identity());
-    give.diagonal() << Vec3::Constant(6e-3 * uniform(0.5, 2.0)),
-        Vec3::Constant(9e-7 * uniform(0.5, 2.0));
-    step.velocity_free.push_back(twist(0.1, 2.0));
-    PadFace& face = step.faces.emplace_back();
-    face.pad = pad;
-    face.friction = kind % 7 == 0 ? 0.0 : uniform(0.0, 1.3);
-    face.stiffness_N_m3 = 4e7 * std::pow(10.0, uniform(-1.0, 1.0));
-    const Vec3 normal = opposite ? Vec3(pad == 1 ? 1.0 : -1.0, 0.0, 0.0) : direction();
-    const Vec3 first = normal.unitOrthogonal(), second = normal.cross(first);
-    const int count = 1 + static_cast<int>(most_points * random.uniform());
-    const double tilt = uniform(0.0, 0.02), deep_m = uniform(-1e-5, 2e-4), half_m = 0.006;
-    for (int i = 0; i < count; ++i) {
-      const double x = uniform(-half_m, half_m), y = in_a_row ? 0.0 : uniform(-half_m, half_m);
-      PadPoint point;
-      point.p_pad = x * first + y * second;
-      point.p_object = point.p_pad - radius_m * normal;
-      point.normal = curved ? Vec3(-point.p_object.normalized()) : normal;
-      point.area_m2 = 1e-4 / count * uniform(0.5, 2.0);
-      point.penetration_free_m =
-          deep_m + tilt * x - (curved ? (x * x + y * y) / (2.0 * radius_m) : 0.0);
-      face.points.push_back(point);
-    }
-  }
-  return step;
 }
 
 TEST(PadPoints, SolveTheProblemInAnyGrasp) {
@@ -215,10 +158,13 @@ std::vector<Vec6> by_gauss_seidel(const PadStep& step) {
       next.x() = std::max(
           0.0, next.x() + (k * depth_m - next.x()) / (1.0 + k * step.step_s * block.W(0, 0)));
       push(next);
-      const Eigen::Matrix2d W = block.W.bottomRightCorner<2, 2>();
-      const Eigen::Vector2d free = slip().tail<2>() + W * block.force.tail<2>();
-      next.tail<2>() = friction_in_ellipsoid<2>(
-          W, free, Eigen::Vector2d::Constant(block.face->friction * next.x()));
+      // A third row that nothing moves: the ellipsoid is the disk.
+      Mat3 W = Mat3::Identity();
+      W.topLeftCorner<2, 2>() = block.W.bottomRightCorner<2, 2>();
+      Vec3 free = Vec3::Zero();
+      free.head<2>() = slip().tail<2>() + W.topLeftCorner<2, 2>() * block.force.tail<2>();
+      next.tail<2>() =
+          friction_in_ellipsoid(W, free, Vec3::Constant(block.face->friction * next.x())).head<2>();
       push(next);
     }
     double change = 0.0;
@@ -336,16 +282,6 @@ TEST(PadPoints, OnePadSlidesWithAllItsFrictionWhileTheOtherSticks) {
   }
 }
 
-TEST(PadPoints, AnAggregateOfExactFrictionIsTheSameOnFlatFaces) {
-  constexpr double kFlat = 1e-8;
-  for (const int count : test::every(kCounts)) {
-    const PadStep step = step_under_way(test::must(pad_grasp(PadScene::edge, count)));
-    const PadSolution points = solve(step, PadSolver::pointwise);
-    EXPECT_WITHIN(wrench_error(solve(step, PadSolver::aggregate_exact), points), 0.0, kFlat)
-        << count;
-  }
-}
-
 TEST(PadPoints, GoOnFromTheStepBeforeToTheSameAnswerInLessSweeps) {
   for (const PadScene scene : test::every(kScenes)) {
     const PadGrasp grasp = test::must(pad_grasp(scene, 96));
@@ -369,16 +305,6 @@ TEST(PadPoints, GoOnFromTheStepBeforeToTheSameAnswerInLessSweeps) {
     EXPECT_TRUE(held.settled());
     EXPECT_LT(warm, cold) << kPadSceneNames[static_cast<std::size_t>(scene)];
   }
-}
-
-TEST(PadPoints, AreHeldStepByStepWithoutAllocating) {
-  const PadGrasp grasp = test::must(pad_grasp(PadScene::ball, 200));
-  HeldByPads held(grasp.object, grasp.pads, grasp.step_s, PadSolver::pointwise, grasp.proxies(0.0));
-  held.step(grasp.proxies(grasp.step_s), grasp.gravity_m_s2(grasp.step_s));
-  const auto before = test::allocations();
-  for (int k = 2; k <= 50; ++k)
-    held.step(grasp.proxies(k * grasp.step_s), grasp.gravity_m_s2(k * grasp.step_s));
-  EXPECT_EQ(test::allocations(), before);
 }
 
 }  // namespace

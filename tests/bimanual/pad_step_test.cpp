@@ -196,7 +196,7 @@ TEST(FrictionBlock, IsInsideAndLetsNothingSlipOrOnTheSurfaceAlongItsNormal) {
     const Eigen::Matrix3d W = root * root.transpose() + 1e-3 * Eigen::Matrix3d::Identity();
     const Vec3 slip_free = 10.0 * test::random_vector(random, 1.0);
     const Vec3 limits(random.uniform(), random.uniform(), k % 7 == 0 ? 0.0 : random.uniform());
-    const Vec3 f = friction_in_ellipsoid<3>(W, slip_free, limits);
+    const Vec3 f = friction_in_ellipsoid(W, slip_free, limits);
     const Vec3 slip = slip_free - W * f;
     const Vec3 y =
         Vec3::NullaryExpr([&](Eigen::Index i) { return limits[i] > 0 ? f[i] / limits[i] : 0.0; });

@@ -62,6 +62,42 @@ TEST(Bubble, AWeakHandReachesAsFarWithAQuarterOfTheForce) {
             push_in_bubble(spec, Side::right, 4.0 * push_N).offset_m);
 }
 
+TEST(TwoHands, APushSweptThroughTheBorderMovesHandAndBubbleWithoutAJump) {
+  for (const BubbleShape shape :
+       {BubbleShape::ellipsoid, BubbleShape::box, BubbleShape::superellipsoid}) {
+    const HandsSpec spec = spec_of(shape);
+    TwoHands hands(spec);
+    HandsInput input;
+    // Outward, so that neither plane nor door has a part in it; up and back through the border.
+    const Vec3 direction = Vec3(0.8, 0.6, 0.0);
+    HandsState before = hands.see(input);
+    double speed_before = 0.0, fastest = 0.0;
+    constexpr double kRow_N = 0.02;
+    const double edge_N = spec.hands[1].force_at_edge_N.x();
+    for (int k = 0; k < 2400; ++k) {
+      const double push_N = kRow_N * (k < 1200 ? k : 2400 - k);
+      input.push_N[1] = push_N * direction;
+      hands.move(kStep_s, false);
+      const HandsState& now = hands.see(input);
+      const double speed = (now.bubble_W[1] - before.bubble_W[1]).norm() / kStep_s;
+      const double moved_m = (now.p_W[1] - before.p_W[1]).norm();
+      // Twice: at the border the offset turns from growing to staying.
+      ASSERT_LE(moved_m,
+                2.0 * spec.half_size_m.maxCoeff() * kRow_N / edge_N + kStep_s * spec.rate_limit_m_s)
+          << k;
+      constexpr double kRounding_m_s = 1e-12;
+      ASSERT_LE(std::abs(speed - speed_before),
+                2.0 * spec.rate_m_s * kRow_N / edge_N + kRounding_m_s)
+          << k;
+      fastest = std::max(fastest, speed);
+      speed_before = speed;
+      before = now;
+    }
+    EXPECT_GT(fastest, 0.1) << "it went far beyond the border";
+    EXPECT_EQ(speed_before, 0.0) << "and came back";
+  }
+}
+
 TEST(TwoHands, NeverCrossInAMillionRandomRows) {
   Random random(3, 14);
   TwoHands hands(spec_of());

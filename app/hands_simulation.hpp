@@ -6,6 +6,10 @@
 
 #include "core/result.hpp"
 
+namespace isograsp::bimanual {
+struct HandsScene;
+}
+
 namespace isograsp::app {
 
 struct HandsSimulation {
@@ -16,6 +20,10 @@ struct HandsSimulation {
 };
 /// Pushes move the hands (app/bimanual/simulate_hands.cpp).
 [[nodiscard]] Result<void> simulate_hands(const HandsSimulation& options);
+/// Of scenes whose coupling is "force", and "none" (app/bimanual/simulate_pressed.cpp).
+[[nodiscard]] Result<void> simulate_pressed(const bimanual::HandsScene& scene,
+                                            const HandsSimulation& options);
+[[nodiscard]] Result<void> simulate_uncoupled(const HandsSimulation& options);
 /// Proxies lead pads (app/bimanual/simulate_pads.cpp).
 [[nodiscard]] Result<void> simulate_pads(const HandsSimulation& options, const std::string& solver);
 

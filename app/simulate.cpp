@@ -8,8 +8,8 @@
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "app/hands_simulation.hpp"
+#include "app/trajectory.hpp"
 #include "bimanual/read_hands.hpp"
-#include "core/csv.hpp"
 #include "grasp_model/plan.hpp"
 #include "grasp_model/scene.hpp"
 #include "hand/finger_forces.hpp"
@@ -25,60 +25,7 @@ struct SimulateOptions {
   std::string proxies;  ///< in place of forces
   std::string pad_solver = "aggregate";
   std::string out;
-  std::string hand = "right";
-};
-
-constexpr std::string_view kTrajectoryHeader =
-    "t_s,x_m,y_m,z_m,qw,qx,qy,qz,vx_mps,vy_mps,vz_mps,wx_radps,wy_radps,wz_radps,"
-    "fx_N,fy_N,fz_N,tx_Nm,ty_Nm,tz_Nm,thumb_contact,index_contact,middle_contact\n";
-
-/// Prints rows straight into one block, which goes to the file when it is full.
-class TrajectoryWriter {
- public:
-  explicit TrajectoryWriter(FileWriter file) : file_(std::move(file)) {
-    file_.write(kTrajectoryHeader);
-  }
-
-  void add(double t_s, const ObjectState& state, const GraspWrench& wrench) {
-    const Vec3& p = state.X_WO.p;
-    const Quat& q = state.X_WO.q;
-    const Vec3& v = state.v_WO_W;
-    const Vec3& w = state.w_WO_W;
-    const Vec3& f = wrench.F_O_W.force;
-    const Vec3& tau = wrench.F_O_W.torque;
-    const std::array<double, kNumbers> numbers{t_s,   p.x(), p.y(), p.z(),   q.w(),   q.x(),  q.y(),
-                                               q.z(), v.x(), v.y(), v.z(),   w.x(),   w.y(),  w.z(),
-                                               f.x(), f.y(), f.z(), tau.x(), tau.y(), tau.z()};
-    if (block_.size() - used_ < kLongestRow) flush();
-    char* at = block_.data() + used_;
-    for (const double number : numbers) {
-      at = print_number(at, number);
-      *at++ = ',';
-    }
-    for (const bool touching : wrench.contact) {
-      *at++ = touching ? '1' : '0';
-      *at++ = ',';
-    }
-    at[-1] = '\n';
-    used_ = static_cast<std::size_t>(at - block_.data());
-  }
-  [[nodiscard]] Result<void> commit() {
-    flush();
-    return file_.commit();
-  }
-
- private:
-  static constexpr std::size_t kNumbers = 20;
-  static constexpr std::size_t kLongestRow = kNumbers * (kLongestNumber + 1) + 2 * kFingerCount;
-
-  void flush() {
-    file_.write({block_.data(), used_});
-    used_ = 0;
-  }
-
-  FileWriter file_;
-  std::vector<char> block_ = std::vector<char>(std::size_t{1} << 16);
-  std::size_t used_ = 0;
+  std::string hand;  ///< empty: the right one
 };
 
 Result<void> simulate(const SimulateOptions& options) {
@@ -86,11 +33,14 @@ Result<void> simulate(const SimulateOptions& options) {
     if (auto different = check_different(in, options.out); !different) return different;
   auto text = read_text(options.scene);
   if (!text) return text.error();
-  if (bimanual::has_hands(*text))
+  if (bimanual::has_hands(*text)) {
+    if (!options.hand.empty())
+      return refused("is not for scenes with two hands"_text, "leave it out"_text).about("--hand");
     return options.proxies.empty()
                ? simulate_hands({options.scene, *text, options.forces, options.out})
                : simulate_pads({options.scene, *text, options.proxies, options.out},
                                options.pad_solver);
+  }
   if (!options.proxies.empty())
     return refused("has no pads that proxies could lead"_text, "give --forces"_text)
         .at(options.scene);
@@ -100,7 +50,8 @@ Result<void> simulate(const SimulateOptions& options) {
   const auto grid = read_time_grid(options.forces);
   if (!grid) return grid.error();
   const auto plan =
-      Plan::compile(for_hand(std::move(*scene), *hand_from_name(options.hand)), grid->hold_s);
+      Plan::compile(for_hand(std::move(*scene), hand_from_name(options.hand).value_or(Hand::right)),
+                    grid->hold_s);
   if (!plan) return plan.error();
   const auto used = plan->scene().fingers_used();
   auto forces = FingerForcesReader::open(options.forces, used);
@@ -108,21 +59,22 @@ Result<void> simulate(const SimulateOptions& options) {
   auto out = FileWriter::create(options.out);
   if (!out) return out.error();
 
-  TrajectoryWriter trajectory(std::move(*out));
+  std::vector<std::string> contacts;
+  for (const std::string_view finger : kFingerNames)
+    contacts.push_back(std::string(finger) + "_contact");
+  TrajectoryWriter trajectory(std::move(*out), contacts);
   ObjectState state = plan->initial_state();
   GraspWrench wrench;
   StaleRule stale;
   bool frozen = false;
-  std::size_t holds = 0;
-  std::size_t frozen_holds = 0;
-  std::size_t inexact_holds = 0;
+  HoldCount count;
   const auto move = [&](double hold_s) {
-    ++holds;
+    ++count.all;
     if (frozen)
-      ++frozen_holds;
+      ++count.frozen;
     else
       plan->move(wrench, hold_s, state);
-    if (state.tolerance_exceeded && !frozen) ++inexact_holds;
+    if (state.tolerance_exceeded && !frozen) ++count.inexact;
   };
   FingerForcesRow row;
   FingerForcesRow next;
@@ -136,19 +88,13 @@ Result<void> simulate(const SimulateOptions& options) {
     if (more && !grid->regular) hold_s = next.t_s - row.t_s;
     frozen = stale.apply(row.wrench_C, row.present, used, hold_s) == StaleRule::Verdict::frozen;
     if (!frozen) wrench = plan->grasp(row.wrench_C, state);
-    trajectory.add(row.t_s, state, wrench);
+    trajectory.add(row.t_s, state, wrench.F_O_W, wrench.contact);
     move(hold_s);
-    if (!more) trajectory.add(row.t_s + hold_s, state, wrench);
+    if (!more) trajectory.add(row.t_s + hold_s, state, wrench.F_O_W, wrench.contact);
     row = next;
   }
   if (const auto done = trajectory.commit(); !done) return done.error();
-  if (frozen_holds > 0)
-    print_note("the state stood still in %1 of %2 holds: no valid sample for over 50 ms"_text(
-        frozen_holds, holds));
-  if (inexact_holds > 0)
-    print_note(
-        "%1 of %2 holds were too stiff for the stated tolerance; the trajectory is finite there "
-        "but not exact"_text(inexact_holds, holds));
+  count.print_notes();
   return {};
 }
 
@@ -166,9 +112,8 @@ void add_simulate(CommandLine& line) {
       .one_of({"pointwise", "aggregate", "aggregate_exact"})
       .shows_default();
   command.option("--out", options->out, "Trajectory to write (CSV)").required();
-  command.option("--hand", options->hand, "Which hand presses")
-      .one_of({"right", "left"})
-      .shows_default();
+  command.option("--hand", options->hand, "Which hand presses: right, if nothing is said")
+      .one_of({"right", "left"});
   command.footer(
       "Example: isograsp simulate --scene library/scenes/planar_block.toml --forces forces.csv "
       "--out trajectory.csv");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "bimanual/read_hand_contacts.hpp"
 #include "core/toml_reader.hpp"
 
 namespace isograsp::bimanual {
@@ -164,6 +165,42 @@ PadSpec read_pad(TomlReader& table) {
   return pad;
 }
 
+void read_holding(TomlReader& root, HandsScene& scene) {
+  if (root.has("grasp_detection")) {
+    TomlReader table = root.table("grasp_detection");
+    scene.grasp = read_detection(table);
+  }
+  if (!root.has("magnet")) return;
+  TomlReader table = root.table("magnet");
+  scene.magnet = read_magnet(table);
+  if (scene.magnet.mode != Magnet::Mode::off && !scene.grasp)
+    root.fail("magnet", "needs [grasp_detection]"_text, "add it, or write mode = \"off\""_text);
+  if (scene.magnet.mode == Magnet::Mode::spring && scene.object.mass_kg == 0.0)
+    root.fail("magnet", "needs an object with mass"_text, "give it one"_text);
+}
+
+void read_pads(TomlReader& root, HandsScene& scene) {
+  for (TomlReader& table : root.tables("pad")) scene.pads.push_back(read_pad(table));
+  if (scene.pads.empty()) return;
+  TomlReader dynamics = root.table("dynamics");
+  scene.pad_step_s = read_positive(dynamics, "step_s", scene.pad_step_s);
+  if (!(scene.pad_step_s * kMostOfPads >= 1.0))
+    dynamics.fail("step_s", "is beyond what hands need"_text, "check its unit"_text);
+  if (!(scene.object.mass_kg > 0.0) || !(scene.object.inertia_kg_m2.minCoeff() > 0.0))
+    root.fail("pad", "needs an object with mass and inertia"_text, "give it both"_text);
+  refuse_beyond(root, scene.object);
+}
+
+/// Bubbles, what holds and pads: measured forces have no place that they could move.
+void refuse_what_proxies_have(TomlReader& root, TomlReader& hands) {
+  const Text what = "belongs to hands that are points in the scene"_text;
+  const Text remedy = "leave it out, or write coupling = \"proxy\""_text;
+  for (const std::string& key : hands.keys())
+    if (key != "coupling") hands.fail(key, what, remedy);
+  for (const char* key : {"grasp_detection", "magnet", "pad"})
+    if (root.has(key)) root.fail(key, what, remedy);
+}
+
 }  // namespace
 
 bool has_hands(std::string_view text) noexcept {
@@ -174,31 +211,33 @@ Result<HandsScene> parse_hands_scene(std::string_view text, const std::string& f
   auto root = TomlReader::parse(text, file, "isograsp-scene-1");
   if (!root) return root.error();
   HandsScene scene;
-  scene.object = read_scene(*root, file);
   TomlReader hands = root->table("hands");
   scene.coupling = static_cast<Coupling>(hands.choice("coupling", {"none", "force", "proxy"}));
-  scene.hands = read_hands(hands);
-  if (root->has("grasp_detection")) {
-    TomlReader table = root->table("grasp_detection");
-    scene.grasp = read_detection(table);
-  }
-  if (root->has("magnet")) {
-    TomlReader table = root->table("magnet");
-    scene.magnet = read_magnet(table);
-    if (scene.magnet.mode != Magnet::Mode::off && !scene.grasp)
-      root->fail("magnet", "needs [grasp_detection]"_text, "add it, or write mode = \"off\""_text);
-    if (scene.magnet.mode == Magnet::Mode::spring && scene.object.mass_kg == 0.0)
-      root->fail("magnet", "needs an object with mass"_text, "give it one"_text);
-  }
-  for (TomlReader& table : root->tables("pad")) scene.pads.push_back(read_pad(table));
-  if (!scene.pads.empty()) {
-    TomlReader dynamics = root->table("dynamics");
-    scene.pad_step_s = read_positive(dynamics, "step_s", scene.pad_step_s);
-    if (!(scene.pad_step_s * kMostOfPads >= 1.0))
-      dynamics.fail("step_s", "is beyond what hands need"_text, "check its unit"_text);
-    if (!(scene.object.mass_kg > 0.0) || !(scene.object.inertia_kg_m2.minCoeff() > 0.0))
-      root->fail("pad", "needs an object with mass and inertia"_text, "give it both"_text);
-    refuse_beyond(*root, scene.object);
+  switch (scene.coupling) {
+    case Coupling::none:
+      scene.object.file = file;
+      scene.object.name = root->text("name", "");
+      refuse_what_proxies_have(*root, hands);
+      for (const char* key : {"object", "dynamics", "initial", "contact"})
+        if (root->has(key))
+          root->fail(key, "belongs to an object, and hands without coupling have none"_text,
+                     "leave it out, or write coupling = \"force\""_text);
+      break;
+    case Coupling::force:
+      scene.object = read_bare_scene(*root, file);
+      refuse_what_proxies_have(*root, hands);
+      scene.contacts = read_hand_contacts(*root, scene.object);
+      break;
+    case Coupling::proxy:
+      for (TomlReader& contact : root->tables("contact"))
+        if (contact.has("hand"))
+          contact.fail("hand", "belongs to measured forces"_text,
+                       "leave it out, or write coupling = \"force\""_text);
+      scene.object = read_scene(*root, file);
+      scene.hands = read_hands(hands);
+      read_holding(*root, scene);
+      read_pads(*root, scene);
+      break;
   }
   if (const auto done = root->finish(); !done) return done.error();
   return scene;

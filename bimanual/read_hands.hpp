@@ -10,6 +10,7 @@
 
 #include "bimanual/hands_spec.hpp"
 #include "bimanual/pads/held_by_pads.hpp"
+#include "bimanual/pressed_by_hands.hpp"
 #include "core/result.hpp"
 #include "grasp_model/scene.hpp"
 
@@ -18,15 +19,16 @@ namespace isograsp::bimanual {
 /// What the hands are to the object.
 enum class Coupling : std::uint8_t {
   none,   ///< nothing: two numbers
-  force,  ///< contacts with measured force
+  force,  ///< contacts with measured force (bimanual/pressed_by_hands.hpp)
   proxy   ///< points moved by force
 };
 
 struct HandsScene {
-  Scene object;
+  Scene object;  ///< `none`: nothing but the name
   Coupling coupling = Coupling::none;
-  HandsSpec hands;
-  std::optional<GraspDetection> grasp;  ///< nothing: they never hold it
+  std::array<HandContacts, kSides> contacts;  ///< `force`
+  HandsSpec hands;                            ///< `proxy`, and what follows
+  std::optional<GraspDetection> grasp;        ///< nothing: they never hold it
   Magnet magnet;
   std::vector<PadSpec> pads;
   double pad_step_s = 1e-3;  ///< of pads

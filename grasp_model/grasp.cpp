@@ -140,13 +140,20 @@ bool opposition(const std::vector<Contact>& contacts) {
   return false;
 }
 
+bool grasp_rule_holds(const Scene& scene, const std::vector<Contact>& touching) {
+  switch (scene.grasp_rule) {
+    case GraspRule::any: return true;
+    case GraspRule::opposition: return opposition(touching);
+    case GraspRule::closure: break;
+  }
+  return force_closure(touching, rows_of(scene));
+}
+
 bool grasp_rule_holds(const Scene& scene, unsigned mask) {
-  if (scene.grasp_rule == GraspRule::any) return true;
   std::vector<Contact> touching;
   for (const auto& contact : scene.contacts)
     if ((mask >> index_of(contact.finger) & 1u) != 0) touching.push_back(contact);
-  return scene.grasp_rule == GraspRule::opposition ? opposition(touching)
-                                                   : force_closure(touching, rows_of(scene));
+  return grasp_rule_holds(scene, touching);
 }
 
 }  // namespace isograsp

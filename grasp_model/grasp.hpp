@@ -82,6 +82,8 @@ struct Criteria {
 /// Two normals more than 120 degrees apart.
 [[nodiscard]] bool opposition(const std::vector<Contact>& contacts);
 
+/// Whether these contacts, while they touch, may move the object under the scene's rule.
+[[nodiscard]] bool grasp_rule_holds(const Scene& scene, const std::vector<Contact>& touching);
 /// Whether the fingers of `mask` (bit f = finger f) may move the object under the scene's rule.
 [[nodiscard]] bool grasp_rule_holds(const Scene& scene, unsigned mask);
 

@@ -210,11 +210,22 @@ void read_pad(TomlReader& contact_table, const Scene& scene, Contact& contact) {
   (of_pad ? table : contact_table).fail(of_pad ? "" : key, error.what, error.remedy);
 }
 
-void read_contact(TomlReader& table, Scene& scene) {
-  Contact contact;
-  contact.finger = static_cast<Finger>(table.choice("finger", {"thumb", "index", "middle"}));
-  if (scene.contact_of(contact.finger) != nullptr)
+void read_contact_of_finger(TomlReader& table, Scene& scene) {
+  if (table.has("hand"))
+    table.fail("hand", "needs a scene with two hands"_text,
+               "add [hands] with coupling = \"force\", or leave it out"_text);
+  const auto finger = static_cast<Finger>(table.choice("finger", {"thumb", "index", "middle"}));
+  if (scene.contact_of(finger) != nullptr)
     table.fail("finger", "has two contacts"_text, "keep one contact per finger"_text);
+  Contact contact = read_contact(table, scene);
+  contact.finger = finger;
+  scene.contacts.push_back(contact);
+}
+
+}  // namespace
+
+Contact read_contact(TomlReader& table, const Scene& scene) {
+  Contact contact;
   contact.p_OC = table.vec3("position_m");
   const Vec3 normal = table.vec3("normal").stableNormalized();
   const Vec3 given = table.vec3("tangent").stableNormalized();
@@ -239,10 +250,8 @@ void read_contact(TomlReader& table, Scene& scene) {
   require_not_negative(table, "torsion_m", contact.torsion_m);
   require_not_negative(table, "threshold_N", contact.threshold_N);
   if (model == kPad) read_pad(table, scene, contact);
-  scene.contacts.push_back(contact);
+  return contact;
 }
-
-}  // namespace
 
 const Contact* Scene::contact_of(Finger finger) const noexcept {
   for (const auto& contact : contacts)
@@ -269,19 +278,26 @@ PatchFrame frame_of(const Contact& contact) {
 Result<Scene> parse_scene(std::string_view text, const std::string& file) {
   auto root = TomlReader::parse(text, file, "isograsp-scene-1");
   if (!root) return root.error();
+  if (root->has("hands"))
+    root->fail("hands", "makes it a scene of two hands"_text, "take a scene of one hand"_text);
   Scene scene = read_scene(*root, file);
   if (const auto done = root->finish(); !done) return done.error();
   return scene;
 }
 
 Scene read_scene(TomlReader& root, const std::string& file) {
+  Scene scene = read_bare_scene(root, file);
+  for (auto& table : root.tables("contact")) read_contact_of_finger(table, scene);
+  return scene;
+}
+
+Scene read_bare_scene(TomlReader& root, const std::string& file) {
   Scene scene;
   scene.file = file;
   scene.name = root.text("name", "");
   read_object(root.table("object"), scene);
   read_dynamics(root.table("dynamics"), scene);
   read_initial(root.table("initial", false), scene);
-  for (auto& table : root.tables("contact")) read_contact(table, scene);
   return scene;
 }
 

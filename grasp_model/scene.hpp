@@ -82,6 +82,10 @@ struct Scene {
 
 /// The same of a file that has more than a scene; what is wrong is remembered by the reader.
 [[nodiscard]] Scene read_scene(TomlReader& root, const std::string& file);
+/// Without its contacts, and one of them as its table says it, all but whose it is: for scenes
+/// whose contacts are not those of one hand.
+[[nodiscard]] Scene read_bare_scene(TomlReader& root, const std::string& file);
+[[nodiscard]] Contact read_contact(TomlReader& table, const Scene& scene);
 
 /// Scenes are written for the right hand. The left hand's device is turned by pi about its y axis:
 /// every contact's position, normal and tangent go (x, y, z) -> (-x, y, -z).

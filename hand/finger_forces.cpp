@@ -12,17 +12,22 @@ namespace isograsp {
 
 namespace {
 /// Fx Fy Fz Tx Ty Tz of a finger.
-const Column& column_of(Finger finger, std::size_t axis) {
+const Column& standard_column(Finger finger, std::size_t axis) {
   const std::size_t f = index_of(finger);
   return axis < 3 ? columns::finger_force[f][axis] : columns::finger_torque[f][axis - 3];
 }
 }  // namespace
 
+std::string FingerForcesReader::column_of(Finger finger, std::size_t axis) const {
+  return prefix_ + std::string(standard_column(finger, axis));
+}
+
 Result<FingerForcesReader> FingerForcesReader::open(const std::string& path,
-                                                    std::array<bool, kFingerCount> required) {
+                                                    std::array<bool, kFingerCount> required,
+                                                    std::string prefix) {
   auto csv = CsvReader::open(path);
   if (!csv) return csv.error();
-  FingerForcesReader reader(std::move(*csv));
+  FingerForcesReader reader(std::move(*csv), std::move(prefix));
   const auto time = reader.csv_.find(columns::t_s);
   if (!time)
     return reader.csv_.error_here(columns::t_s, "the column is missing"_text,
@@ -34,13 +39,13 @@ Result<FingerForcesReader> FingerForcesReader::open(const std::string& path,
     auto& axes = reader.axes_[f];
     int forces = 0;
     for (std::size_t axis = 0; axis < 6; ++axis) {
-      axes[axis] = reader.csv_.find(column_of(finger, axis));
+      axes[axis] = reader.csv_.find(reader.column_of(finger, axis));
       if (axis < 3 && axes[axis]) ++forces;
     }
     for (std::size_t axis = 0; axis < 6; ++axis) {
       const bool needed = axis < 3 && (forces > 0 || required[f] || axes[3] || axes[4] || axes[5]);
       if (needed && !axes[axis])
-        return reader.csv_.error_here(column_of(finger, axis), "the column is missing"_text,
+        return reader.csv_.error_here(reader.column_of(finger, axis), "the column is missing"_text,
                                       "add the column"_text);
     }
   }
@@ -48,9 +53,10 @@ Result<FingerForcesReader> FingerForcesReader::open(const std::string& path,
   auto standard = finger_forces_columns();
   for (const Finger finger : kFingers)
     for (const HandAxis axis : kHandAxes) standard.push_back(anatomical_column(finger, axis));
+  for (std::string& name : standard) name.insert(0, reader.prefix_);
   for (const auto& name : reader.csv_.columns())
     for (const auto finger : kFingerNames)
-      if (name.starts_with(std::string(finger) + "_") &&
+      if (name.starts_with(reader.prefix_ + std::string(finger) + "_") &&
           std::find(standard.begin(), standard.end(), name) == standard.end())
         return reader.csv_.error_here(name, "unknown column of a finger"_text,
                                       "name it like thumb_fx_N or thumb_tx_Nm, or remove it"_text);
@@ -160,7 +166,7 @@ Result<TimeGrid> read_time_grid(const std::string& path) {
 std::vector<std::string> finger_forces_columns() {
   std::vector<std::string> names{columns::t_s};
   for (const Finger finger : kFingers)
-    for (std::size_t axis = 0; axis < 6; ++axis) names.emplace_back(column_of(finger, axis));
+    for (std::size_t axis = 0; axis < 6; ++axis) names.emplace_back(standard_column(finger, axis));
   return names;
 }
 

@@ -25,10 +25,10 @@ struct FingerForcesRow {
 class FingerForcesReader {
  public:
   /// Missing torque columns count as zero. `required[f]`: the file must have the forces of finger
-  /// f.
-  [[nodiscard]] static Result<FingerForcesReader> open(const std::string& path,
-                                                       std::array<bool, kFingerCount> required = {
-                                                           false, false, false});
+  /// f. `prefix` stands before the names of its columns: "left_" in a file of two hands.
+  [[nodiscard]] static Result<FingerForcesReader> open(
+      const std::string& path, std::array<bool, kFingerCount> required = {false, false, false},
+      std::string prefix = "");
 
   /// False at the end. Checks increasing time and half-empty samples.
   [[nodiscard]] Result<bool> next(FingerForcesRow& row);
@@ -43,8 +43,12 @@ class FingerForcesReader {
   [[nodiscard]] const std::string& path() const noexcept { return csv_.path(); }
 
  private:
-  explicit FingerForcesReader(CsvReader csv) : csv_(std::move(csv)) {}
+  FingerForcesReader(CsvReader csv, std::string prefix)
+      : csv_(std::move(csv)), prefix_(std::move(prefix)) {}
+  [[nodiscard]] std::string column_of(Finger finger, std::size_t axis) const;
+
   CsvReader csv_;
+  std::string prefix_;
   std::size_t time_ = 0;
   /// Column of each axis; nothing: the file has none.
   std::array<std::array<std::optional<std::size_t>, 6>, kFingerCount> axes_{};

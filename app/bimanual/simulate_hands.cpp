@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // isograsp simulate, scenes with two hands: pushes in, hands, bubbles, view and object out.
-#include <cmath>
-#include <optional>
 #include <vector>
 
-#include "app/console.hpp"
+#include "app/bimanual/hand_forces.hpp"
+#include "app/bimanual/number_lines.hpp"
 #include "app/hands_simulation.hpp"
 #include "bimanual/carried_object.hpp"
 #include "bimanual/read_hands.hpp"
 #include "bimanual/two_hands.hpp"
-#include "core/csv.hpp"
-#include "core/tables/word_table.hpp"
 
 namespace isograsp::app {
 
@@ -21,98 +18,31 @@ using bimanual::HandsState;
 using bimanual::kSides;
 constexpr const char* kSideNames[] = {"left", "right"};
 
+/// The rows of both hands.
 struct PushRow {
   double t_s = 0.0;
   HandsInput input;
 };
 
-/// Where the columns of the pushes stand.
-struct PushColumns {
-  std::size_t t_s = 0;
-  std::array<std::array<std::size_t, 3>, kSides> push{};
-  std::array<std::optional<std::size_t>, kSides> clutch;
-
-  static Result<PushColumns> find(const WordTable& table) {
-    PushColumns columns;
-    const auto t_s = table.require("t_s");
-    if (!t_s) return t_s.error();
-    columns.t_s = *t_s;
-    for (std::size_t side = 0; side < kSides; ++side) {
-      const std::string name = kSideNames[side];
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto place = table.require(name + "_push_" + "xyz"[axis] + "_N");
-        if (!place) return place.error();
-        columns.push[side][axis] = *place;
-      }
-      columns.clutch[side] = table.find(name + "_clutch");
-    }
-    return columns;
-  }
-};
-
-Result<PushRow> read_push(const WordTable& table, const PushColumns& columns) {
-  PushRow row;
-  const auto t_s = table.required_number(columns.t_s);
-  if (!t_s) return t_s.error();
-  row.t_s = *t_s;
-  for (std::size_t side = 0; side < kSides; ++side) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto push_N = table.required_number(columns.push[side][axis]);
-      if (!push_N) return push_N.error();
-      row.input.push_N[side][static_cast<Eigen::Index>(axis)] = *push_N;
-    }
-    if (!columns.clutch[side]) continue;
-    const auto held = table.required_number(*columns.clutch[side]);
-    if (!held) return held.error();
-    row.input.clutch[side] = *held != 0.0;
-  }
-  return row;
-}
-
 Result<std::vector<PushRow>> read_pushes(const std::string& path) {
-  auto table = WordTable::open(path);
-  if (!table) return table.error();
-  const auto columns = PushColumns::find(*table);
-  if (!columns) return columns.error();
+  if (const auto times = read_time_grid(path); !times) return times.error();
   std::vector<PushRow> rows;
-  for (;;) {
-    const auto more = table->next();
-    if (!more) return more.error();
-    if (!*more) break;
-    const auto row = read_push(*table, *columns);
-    if (!row) return row.error();
-    if (!rows.empty() && !(row->t_s > rows.back().t_s))
-      return table->error_here("t_s", "does not come after the row before"_text,
-                               "put the rows in order"_text);
-    rows.push_back(*row);
+  for (std::size_t side = 0; side < kSides; ++side) {
+    auto reader = HandForcesReader::open(path, static_cast<bimanual::Side>(side), {.push = true});
+    if (!reader) return reader.error();
+    HandForcesRow hand;
+    for (std::size_t k = 0;; ++k) {
+      const auto more = reader->next(hand);
+      if (!more) return more.error();
+      if (!*more) break;
+      if (!hand.push_W) return reader->no_sample();
+      if (side == 0) rows.push_back({hand.t_s, {}});
+      rows[k].input.push_N[side] = hand.push_W->force;
+      rows[k].input.clutch[side] = hand.clutch;
+    }
   }
-  if (rows.size() < 2)
-    return refused("has fewer than two rows"_text, "record for longer"_text).at(path);
   return rows;
 }
-
-/// One line of numbers after the other.
-class NumberLines {
- public:
-  explicit NumberLines(FileWriter file) : file_(std::move(file)) {}
-  void head(const std::string& line) { file_.write(line + "\n"); }
-  void put(double number) {
-    if (!line_.empty()) line_ += ',';
-    append_number(line_, number);
-  }
-  void put(const Vec3& v) {
-    for (const double number : v) put(number);
-  }
-  void end() {
-    file_.write(line_ + "\n");
-    line_.clear();
-  }
-  [[nodiscard]] Result<void> commit() { return file_.commit(); }
-
- private:
-  FileWriter file_;
-  std::string line_;
-};
 
 std::string hands_header() {
   std::string head = "t_s";
@@ -153,10 +83,11 @@ void put_object(NumberLines& out, const ObjectState& object) {
 Result<void> simulate_hands(const HandsSimulation& options) {
   const auto scene = bimanual::parse_hands_scene(options.text, options.scene);
   if (!scene) return scene.error();
-  if (scene->coupling != bimanual::Coupling::proxy ||
-      scene->hands.explore == bimanual::Explore::prescribed)
+  if (scene->coupling == bimanual::Coupling::force) return simulate_pressed(*scene, options);
+  if (scene->coupling == bimanual::Coupling::none) return simulate_uncoupled(options);
+  if (scene->hands.explore == bimanual::Explore::prescribed)
     return refused("is no scene whose hands are moved by pushes"_text,
-                   "write coupling = \"proxy\" and explore = \"bubble\""_text)
+                   "write explore = \"bubble\", or give --proxies"_text)
         .at(options.scene)
         .about("hands");
   const auto rows = read_pushes(options.forces);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <set>
 
+#include "bimanual/read_hands.hpp"
 #include "core/files.hpp"
 #include "grasp_model/plan.hpp"
 #include "gui/library/task_groups.hpp"
@@ -129,6 +130,23 @@ Result<void> make_own_folder(const fs::path& folder) {
   return {};
 }
 
+Result<void> check_scene(const std::string& text, const std::string& path) {
+  const auto scene = parse_scene(text, path);
+  if (!scene) return scene.error();
+  if (const auto plan = Plan::compile(*scene, kLibraryHold_s); !plan) return plan.error();
+  return {};
+}
+
+Result<void> check_hands_scene(const std::string& text, const std::string& path) {
+  const auto scene = bimanual::parse_hands_scene(text, path);
+  if (!scene) return scene.error();
+  if (scene->coupling == bimanual::Coupling::none) return {};
+  const auto pressed =
+      bimanual::PressedByHands::compile(scene->object, scene->contacts, kLibraryHold_s);
+  if (!pressed) return pressed.error();
+  return {};
+}
+
 }  // namespace
 
 std::string_view folder_of(LibraryKind kind) noexcept {
@@ -226,12 +244,8 @@ Result<void> LibraryFiles::check(LibraryKind kind, const std::string& text,
           return Error(there.error()).about("postures");
       return {};
     }
-    case LibraryKind::scenes: {
-      const auto scene = parse_scene(text, path);
-      if (!scene) return scene.error();
-      if (const auto plan = Plan::compile(*scene, kLibraryHold_s); !plan) return plan.error();
-      return {};
-    }
+    case LibraryKind::scenes:
+      return bimanual::has_hands(text) ? check_hands_scene(text, path) : check_scene(text, path);
     case LibraryKind::postures: {
       const auto postures = parse_postures(text, path);
       if (!postures) return postures.error();

@@ -7,13 +7,12 @@
 #include <filesystem>
 
 #include "core/files.hpp"
-#include "grasp_model/grasp.hpp"
-#include "grasp_model/plan_words.hpp"
+#include "grasp_model/scene.hpp"
+#include "gui/library_pages/scene_preview.hpp"
 #include "gui/words/texts.hpp"
 #include "gui/words/words.hpp"
 #include "kinematics/postures.hpp"
 #include "session/library/library.hpp"
-#include "session/platform/plan_cost.hpp"
 #include "tasks/timeline.hpp"
 #include "tasks/waveform.hpp"
 
@@ -96,30 +95,6 @@ std::optional<LibraryPreview::Curve> pose_curve(const tasks::TaskSpec& spec) {
   return curve;
 }
 
-QPolygonF outline_of(const Scene& scene) {
-  const double across = scene.size_m.x();
-  if (scene.shape == Shape::box) {
-    const QSizeF size(across, scene.size_m.y());
-    return QPolygonF(QRectF(QPointF(-size.width() / 2.0, -size.height() / 2.0), size));
-  }
-  constexpr int kCorners = 48;
-  QPolygonF circle;
-  for (int k = 0; k <= kCorners; ++k)
-    circle << 0.5 * across *
-                  QPointF(std::cos(2.0 * M_PI * k / kCorners), std::sin(2.0 * M_PI * k / kCorners));
-  return circle;
-}
-
-LibraryPreview::Sketch sketch_of(const Scene& scene) {
-  LibraryPreview::Sketch sketch;
-  sketch.outline = outline_of(scene);
-  for (const Contact& contact : scene.contacts)
-    sketch.touches.push_back({{contact.p_OC.x(), contact.p_OC.y()},
-                              {contact.R_OC(0, 2), contact.R_OC(1, 2)},
-                              contact.finger});
-  return sketch;
-}
-
 void add_targets(const tasks::TaskSpec& spec, LibraryPreview::Sketch& sketch) {
   for (const auto& target : spec.targets()) {
     if (target.p_WO) sketch.targets.push_back({{target.p_WO->x(), target.p_WO->y()}, 0.0, true});
@@ -171,48 +146,6 @@ LibraryPreview of_task(const tasks::TaskSpec& spec, const std::string& shipped) 
                         [](const auto& target) { return !target.start; });
       count > 0)
     facts.push_back({PreviewTexts::tr("Targets"), QString::number(count)});
-  return preview;
-}
-
-/// The sets of fingers that hold the object against any push, in words.
-QString closed_by(const Scene& scene) {
-  const auto rows = rows_of(scene);
-  QStringList sets;
-  for (unsigned mask = 1; mask < 1U << scene.contacts.size(); ++mask) {
-    std::vector<Contact> contacts;
-    QStringList fingers;
-    for (std::size_t i = 0; i < scene.contacts.size(); ++i)
-      if ((mask >> i & 1U) != 0) {
-        contacts.push_back(scene.contacts[i]);
-        fingers << qt(name_of(scene.contacts[i].finger));
-      }
-    if (force_closure(contacts, rows)) sets << fingers.join(QStringLiteral(" + "));
-  }
-  return sets.isEmpty() ? PreviewTexts::tr("no set of fingers") : sets.join(QStringLiteral("; "));
-}
-
-LibraryPreview of_scene(const Scene& scene, const Plan& plan) {
-  LibraryPreview preview;
-  preview.title = QString::fromStdString(scene.name);
-  preview.sketch = sketch_of(scene);
-  preview.facts.push_back(
-      {PreviewTexts::tr("Mass"), PreviewTexts::tr("%1 kg").arg(short_number(scene.mass_kg))});
-  preview.facts.push_back({PreviewTexts::tr("Held firmly by"), closed_by(scene)});
-  const auto word = [](const std::string& name) -> QString {
-    if (name == "translation") return PreviewTexts::tr("Moves");
-    if (name == "rotation") return PreviewTexts::tr("Turns");
-    if (name == "contacts") return PreviewTexts::tr("Contacts");
-    if (name == "wrench_frame") return PreviewTexts::tr("Forces act in");
-    if (name == "grasp_rule") return PreviewTexts::tr("Grasp rule");
-    if (name == "limits") return PreviewTexts::tr("Limits of travel");
-    return {};
-  };
-  for (const auto& [name, text] : words_of(plan))
-    if (const auto label = word(name); !label.isEmpty())
-      preview.facts.push_back({label, QString::fromStdString(text)});
-  preview.facts.push_back(
-      {PreviewTexts::tr("Cost"), PreviewTexts::tr("%1 ns per frame, measured here")
-                                     .arg(session::cost_ns_per_frame(plan), 0, 'f', 0)});
   return preview;
 }
 
@@ -298,10 +231,7 @@ LibraryPreview preview_of(LibraryKind kind, const std::string& text, const std::
     const auto postures = parse_postures(text, path);
     return postures ? of_postures(*postures, path) : LibraryPreview{};
   }
-  const auto scene = parse_scene(text, path);
-  if (!scene) return {};
-  const auto plan = Plan::compile(*scene, kLibraryHold_s);
-  return plan ? of_scene(*scene, *plan) : LibraryPreview{};
+  return preview_of_scene(text, path);
 }
 
 }  // namespace isograsp::gui

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "grasp_model/patch/contact_patch.hpp"
 #include "gui/library/library_files.hpp"
 #include "tasks/task_spec.hpp"
 
@@ -18,7 +19,7 @@ namespace isograsp::gui {
 struct LibraryPreview {
   struct Fact {
     QString label;
-    QString words;
+    QString words;  ///< may be of several lines
   };
   /// A target over time.
   struct Curve {
@@ -31,8 +32,9 @@ struct LibraryPreview {
   struct Sketch {
     struct Touch {
       QPointF place;
-      QPointF inward;  ///< unit vector, or shorter where the normal leaves the plane
-      Finger finger = Finger::thumb;
+      QPointF inward;   ///< unit vector, or shorter where the normal leaves the plane
+      QString letters;  ///< whose it is
+      std::optional<Finger> finger = std::nullopt;  ///< nothing: a whole hand
     };
     struct Target {
       QPointF place;
@@ -43,6 +45,17 @@ struct LibraryPreview {
     std::vector<Touch> touches;
     std::vector<Target> targets;
   };
+  /// What a pad covers of the object, as the pad looks at it: x along the tangent, from its contact
+  /// point [m].
+  struct Patch {
+    QString title;
+    QString words;               ///< area, middle, limits and rays, a line each
+    QPolygonF object;            ///< its outline
+    QPolygonF pad;               ///< as far as it reaches
+    QPolygonF outline;           ///< of the patch, one corner for each ray
+    std::vector<RayStop> stops;  ///< why each of these rays ended
+    QPointF centroid;
+  };
   struct Step {
     QString words;
     tasks::Duration duration;  ///< by which this step makes the protocol longer
@@ -52,6 +65,7 @@ struct LibraryPreview {
   std::vector<Fact> facts;
   std::optional<Curve> curve;
   std::optional<Sketch> sketch;
+  std::vector<Patch> patches;
   std::vector<Step> steps;
 };
 

@@ -143,9 +143,9 @@ void ObjectSketch::show_sketch(const LibraryPreview::Sketch& sketch) {
   sketch_ = sketch;
   setAccessibleName(tr("The object in the plane of x and y, with %n target(s)", "",
                        static_cast<int>(sketch.targets.size())));
-  setToolTip(
-      tr("x to the right, y up; arrows: fingers and where they press; outlines: targets in "
-         "their order, dashed: where an object appears"));
+  setToolTip(tr(
+      "x to the right, y up; arrows: fingers or hands, and where they press; outlines: targets in "
+      "their order, dashed: where an object appears"));
   update();
 }
 
@@ -205,7 +205,7 @@ void ObjectSketch::draw_targets(QPainter& painter, const Plane& on) const {
 /// Fingers, and where they press.
 void ObjectSketch::draw_arrows(QPainter& painter, const Plane& on) const {
   for (const auto& touch : sketch_.touches) {
-    const QColor color = look::kFingers[index_of(touch.finger)];
+    const QColor color = touch.finger ? look::kFingers[index_of(*touch.finger)] : look::kText;
     const QPointF tip = on.at(touch.place);
     const QPointF along(touch.inward.x(), -touch.inward.y());
     constexpr double kHead_px = 6.0;
@@ -224,7 +224,7 @@ void ObjectSketch::draw_letters(QPainter& painter, const Plane& on) const {
   for (const auto& touch : sketch_.touches) {
     const QPointF along(touch.inward.x(), -touch.inward.y());
     const QPointF place = on.at(touch.place) - (kFingerArrow_px + scaled(12)) * along;
-    const auto letter = finger_title(touch.finger).left(1);
+    const QString& letter = touch.letters;
     const auto same = std::find_if(letters.begin(), letters.end(), [&](const auto& one) {
       return (one.first - place).manhattanLength() < 12.0;
     });
@@ -253,6 +253,9 @@ LibraryView::LibraryView(QWidget* parent) : Card({}, parent) {
   sketch_ = new ObjectSketch;
   sketch_->setObjectName("library_sketch");
   sketch_->hide();
+  patches_ = new PatchSketch;
+  patches_->setObjectName("library_patches");
+  patches_->hide();
   steps_ = new QTableWidget(0, 3);
   steps_->setObjectName("library_steps");
   steps_->setHorizontalHeaderLabels({tr("Step"), tr("Usual"), tr("At most")});
@@ -291,6 +294,7 @@ LibraryView::LibraryView(QWidget* parent) : Card({}, parent) {
   column_->addWidget(outdated_);
   column_->addWidget(curve_);
   column_->addWidget(sketch_);
+  column_->addWidget(patches_);
   column_->addWidget(steps_, 4);
   column_->addWidget(scroll, 1);
 }
@@ -301,13 +305,16 @@ void LibraryView::show_preview(const LibraryPreview& preview) {
   if (preview.curve) curve_->show_curve(*preview.curve);
   sketch_->setVisible(preview.sketch.has_value());
   if (preview.sketch) sketch_->show_sketch(*preview.sketch);
+  patches_->setVisible(!preview.patches.empty());
+  patches_->show_patches(preview.patches);
   steps_->setVisible(!preview.steps.empty());
   fill_steps(preview.steps);
   QString words;
   for (const auto& fact : preview.facts)
     words +=
         QStringLiteral("<p style=\"margin:0 0 7px 0\"><span style=\"color:%1\">%2</span><br>%3</p>")
-            .arg(look::kQuietText.name(), fact.label.toHtmlEscaped(), fact.words.toHtmlEscaped());
+            .arg(look::kQuietText.name(), fact.label.toHtmlEscaped(),
+                 fact.words.toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br>")));
   facts_->setText(words);
 }
 

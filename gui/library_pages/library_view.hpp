@@ -10,6 +10,7 @@
 #include <QWidget>
 
 #include "gui/library_pages/library_preview.hpp"
+#include "gui/library_pages/patch_sketch.hpp"
 #include "gui/look/card.hpp"
 
 namespace isograsp::gui {
@@ -97,6 +98,7 @@ class LibraryView final : public Card {
   QLabel* outdated_;
   TargetCurve* curve_;
   ObjectSketch* sketch_;
+  PatchSketch* patches_;
   QTableWidget* steps_;
   QLabel* facts_;
 };

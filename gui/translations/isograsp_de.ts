@@ -1027,54 +1027,6 @@
         <translation>Ziele</translation>
     </message>
     <message>
-        <source>no set of fingers</source>
-        <translation>keine Gruppe von Fingern</translation>
-    </message>
-    <message>
-        <source>Mass</source>
-        <translation>Masse</translation>
-    </message>
-    <message>
-        <source>%1 kg</source>
-        <translation>%1 kg</translation>
-    </message>
-    <message>
-        <source>Held firmly by</source>
-        <translation>Fest gehalten von</translation>
-    </message>
-    <message>
-        <source>Moves</source>
-        <translation>Bewegt sich</translation>
-    </message>
-    <message>
-        <source>Turns</source>
-        <translation>Dreht sich</translation>
-    </message>
-    <message>
-        <source>Contacts</source>
-        <translation>Kontakte</translation>
-    </message>
-    <message>
-        <source>Forces act in</source>
-        <translation>Kräfte wirken in</translation>
-    </message>
-    <message>
-        <source>Grasp rule</source>
-        <translation>Griffregel</translation>
-    </message>
-    <message>
-        <source>Limits of travel</source>
-        <translation>Bewegungsgrenzen</translation>
-    </message>
-    <message>
-        <source>Cost</source>
-        <translation>Rechenaufwand</translation>
-    </message>
-    <message>
-        <source>%1 ns per frame, measured here</source>
-        <translation>%1 ns pro Bild, hier gemessen</translation>
-    </message>
-    <message>
         <source>Instrument zero</source>
         <translation>Nullabgleich des Geräts</translation>
     </message>
@@ -2562,6 +2514,131 @@
     <message>
         <source>Take them into the database now?</source>
         <translation>Jetzt in die Datenbank aufnehmen?</translation>
+    </message>
+</context>
+<context>
+    <name>ScenePreview</name>
+    <message>
+        <source>%1 reach the end of the pad</source>
+        <translation>%1 reichen bis ans Ende der Kuppe</translation>
+    </message>
+    <message>
+        <source>%1 stop at an edge</source>
+        <translation>%1 enden an einer Kante</translation>
+    </message>
+    <message>
+        <source>%1 stop where friction no longer holds</source>
+        <translation>%1 enden, wo die Reibung nicht mehr hält</translation>
+    </message>
+    <message>
+        <source>%1 stop where the surface ends</source>
+        <translation>%1 enden, wo die Fläche endet</translation>
+    </message>
+    <message>
+        <source>covers %1 of the %2 mm² of the pad</source>
+        <translation>bedeckt %1 der %2 mm² der Kuppe</translation>
+    </message>
+    <message>
+        <source>middle: %1 mm along the tangent, %2 mm across it</source>
+        <translation>Mitte: %1 mm längs der Tangente, %2 mm quer dazu</translation>
+    </message>
+    <message>
+        <source>torsion: at most %1 N mm for each newton of pressure, %2 as a pure torque</source>
+        <translation>Torsion: höchstens %1 N mm je Newton Druck, %2 als reines Drehmoment</translation>
+    </message>
+    <message>
+        <source>of %1 rays: %2</source>
+        <translation>von %1 Strahlen: %2</translation>
+    </message>
+    <message>
+        <source>Pad: %1</source>
+        <translation>Kuppe: %1</translation>
+    </message>
+    <message>
+        <source>no set of fingers</source>
+        <translation>keine Gruppe von Fingern</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>%1 kg</source>
+        <translation>%1 kg</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>Bewegt sich</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Dreht sich</translation>
+    </message>
+    <message>
+        <source>Forces act in</source>
+        <translation>Kräfte wirken in</translation>
+    </message>
+    <message>
+        <source>Limits of travel</source>
+        <translation>Bewegungsgrenzen</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Kontakte</translation>
+    </message>
+    <message>
+        <source>Grasp rule</source>
+        <translation>Griffregel</translation>
+    </message>
+    <message>
+        <source>Held firmly by</source>
+        <translation>Fest gehalten von</translation>
+    </message>
+    <message>
+        <source>Cost</source>
+        <translation>Rechenaufwand</translation>
+    </message>
+    <message>
+        <source>%1 ns per frame, measured here</source>
+        <translation>%1 ns pro Bild, hier gemessen</translation>
+    </message>
+    <message>
+        <source>press without an object</source>
+        <translation>drücken ohne Objekt</translation>
+    </message>
+    <message>
+        <source>press the object with their forces</source>
+        <translation>drücken das Objekt mit ihren Kräften</translation>
+    </message>
+    <message>
+        <source>are points that forces move</source>
+        <translation>sind Punkte, die Kräfte bewegen</translation>
+    </message>
+    <message>
+        <source>left hand</source>
+        <translation>linke Hand</translation>
+    </message>
+    <message>
+        <source>right hand</source>
+        <translation>rechte Hand</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <comment>left hand</comment>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <comment>right hand</comment>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Two hands</source>
+        <translation>Zwei Hände</translation>
     </message>
 </context>
 <context>
@@ -4587,12 +4664,39 @@ Neu verbunden: %7</translation>
         </translation>
     </message>
     <message>
-        <source>x to the right, y up; arrows: fingers and where they press; outlines: targets in their order, dashed: where an object appears</source>
-        <translation>x nach rechts, y nach oben; Pfeile: Finger und wohin sie drücken; Umrisse: Ziele in ihrer Reihenfolge, gestrichelt: wo ein Objekt erscheint</translation>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>x to the right, y up; arrows: fingers or hands, and where they press; outlines: targets in their order, dashed: where an object appears</source>
+        <translation>x nach rechts, y nach oben; Pfeile: Finger oder Hände und wo sie drücken; Umrisse: Ziele in ihrer Reihenfolge, gestrichelt: wo ein Objekt erscheint</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::PatchSketch</name>
+    <message>
+        <source>What the pads cover of the object: %1</source>
+        <translation>Was die Kuppen vom Objekt bedecken: %1</translation>
+    </message>
+    <message>
+        <source>Each as the pad looks at the object, tangent up; dashed: the whole pad; filled: what it covers; cross: the middle of that; red: where a ray ends before the pad does</source>
+        <translation>Jede, wie sie auf das Objekt blickt, Tangente nach oben; gestrichelt: die ganze Kuppe; gefüllt: was sie bedeckt; Kreuz: dessen Mitte; rot: wo ein Strahl vor der Kuppe endet</translation>
     </message>
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>edge</source>
+        <translation>Kante</translation>
+    </message>
+    <message>
+        <source>friction ends</source>
+        <translation>Reibung endet</translation>
+    </message>
+    <message>
+        <source>surface ends</source>
+        <translation>Fläche endet</translation>
     </message>
 </context>
 <context>

@@ -297,7 +297,7 @@
     </message>
     <message>
         <source>%1 %2: %3 on %4 (%5)</source>
-        <translation>%1 %2 : %3 le %4 (%5)</translation>
+        <translation>%1 %2&#xa0;: %3 le %4 (%5)</translation>
     </message>
     <message>
         <source>%1, recorded by %2</source>
@@ -1025,54 +1025,6 @@
     <message>
         <source>Targets</source>
         <translation>Cibles</translation>
-    </message>
-    <message>
-        <source>no set of fingers</source>
-        <translation>aucun groupe de doigts</translation>
-    </message>
-    <message>
-        <source>Mass</source>
-        <translation>Masse</translation>
-    </message>
-    <message>
-        <source>%1 kg</source>
-        <translation>%1 kg</translation>
-    </message>
-    <message>
-        <source>Held firmly by</source>
-        <translation>Tenu fermement par</translation>
-    </message>
-    <message>
-        <source>Moves</source>
-        <translation>Se déplace</translation>
-    </message>
-    <message>
-        <source>Turns</source>
-        <translation>Tourne</translation>
-    </message>
-    <message>
-        <source>Contacts</source>
-        <translation>Contacts</translation>
-    </message>
-    <message>
-        <source>Forces act in</source>
-        <translation>Les forces agissent dans</translation>
-    </message>
-    <message>
-        <source>Grasp rule</source>
-        <translation>Règle de prise</translation>
-    </message>
-    <message>
-        <source>Limits of travel</source>
-        <translation>Limites de course</translation>
-    </message>
-    <message>
-        <source>Cost</source>
-        <translation>Coût de calcul</translation>
-    </message>
-    <message>
-        <source>%1 ns per frame, measured here</source>
-        <translation>%1 ns par trame, mesuré ici</translation>
     </message>
     <message>
         <source>Instrument zero</source>
@@ -2565,6 +2517,131 @@
     </message>
 </context>
 <context>
+    <name>ScenePreview</name>
+    <message>
+        <source>%1 reach the end of the pad</source>
+        <translation>%1 atteignent la fin de la pulpe</translation>
+    </message>
+    <message>
+        <source>%1 stop at an edge</source>
+        <translation>%1 s’arrêtent à un bord</translation>
+    </message>
+    <message>
+        <source>%1 stop where friction no longer holds</source>
+        <translation>%1 s’arrêtent là où le frottement ne tient plus</translation>
+    </message>
+    <message>
+        <source>%1 stop where the surface ends</source>
+        <translation>%1 s’arrêtent là où la surface finit</translation>
+    </message>
+    <message>
+        <source>covers %1 of the %2 mm² of the pad</source>
+        <translation>couvre %1 des %2 mm² de la pulpe</translation>
+    </message>
+    <message>
+        <source>middle: %1 mm along the tangent, %2 mm across it</source>
+        <translation>milieu : %1 mm le long de la tangente, %2 mm en travers</translation>
+    </message>
+    <message>
+        <source>torsion: at most %1 N mm for each newton of pressure, %2 as a pure torque</source>
+        <translation>torsion : au plus %1 N mm par newton de pression, %2 en couple pur</translation>
+    </message>
+    <message>
+        <source>of %1 rays: %2</source>
+        <translation>sur %1 rayons : %2</translation>
+    </message>
+    <message>
+        <source>Pad: %1</source>
+        <translation>Pulpe : %1</translation>
+    </message>
+    <message>
+        <source>no set of fingers</source>
+        <translation>aucun groupe de doigts</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>%1 kg</source>
+        <translation>%1 kg</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>Se déplace</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Tourne</translation>
+    </message>
+    <message>
+        <source>Forces act in</source>
+        <translation>Les forces agissent dans</translation>
+    </message>
+    <message>
+        <source>Limits of travel</source>
+        <translation>Limites de course</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Contacts</translation>
+    </message>
+    <message>
+        <source>Grasp rule</source>
+        <translation>Règle de prise</translation>
+    </message>
+    <message>
+        <source>Held firmly by</source>
+        <translation>Tenu fermement par</translation>
+    </message>
+    <message>
+        <source>Cost</source>
+        <translation>Coût de calcul</translation>
+    </message>
+    <message>
+        <source>%1 ns per frame, measured here</source>
+        <translation>%1 ns par trame, mesuré ici</translation>
+    </message>
+    <message>
+        <source>press without an object</source>
+        <translation>appuient sans objet</translation>
+    </message>
+    <message>
+        <source>press the object with their forces</source>
+        <translation>pressent l’objet par leurs forces</translation>
+    </message>
+    <message>
+        <source>are points that forces move</source>
+        <translation>sont des points que des forces déplacent</translation>
+    </message>
+    <message>
+        <source>left hand</source>
+        <translation>main gauche</translation>
+    </message>
+    <message>
+        <source>right hand</source>
+        <translation>main droite</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <comment>left hand</comment>
+        <translation>G</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <comment>right hand</comment>
+        <translation>D</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Two hands</source>
+        <translation>Deux mains</translation>
+    </message>
+</context>
+<context>
     <name>Screening</name>
     <message>
         <source>No clearance for maximal effort</source>
@@ -2878,7 +2955,7 @@
     </message>
     <message>
         <source>No camera looks at a person before a lawful basis is on record. Of each purpose the last entry counts; treatment or research must be given.</source>
-        <translation>Aucune caméra ne regarde une personne avant qu’une base légale soit enregistrée. Pour chaque finalité, la dernière entrée compte ; le traitement ou la recherche doit être accordé.</translation>
+        <translation>Aucune caméra ne regarde une personne avant qu’une base légale soit enregistrée. Pour chaque finalité, la dernière entrée compte&#xa0;; le traitement ou la recherche doit être accordé.</translation>
     </message>
     <message>
         <source>Purpose</source>
@@ -2922,7 +2999,7 @@
     </message>
     <message>
         <source>When it was said or signed; Up and Down change it (Tab)</source>
-        <translation>Quand cela a été dit ou signé ; haut et bas le changent (Tab)</translation>
+        <translation>Quand cela a été dit ou signé&#xa0;; haut et bas le changent (Tab)</translation>
     </message>
     <message>
         <source>such as the version of the form</source>
@@ -2934,7 +3011,7 @@
     </message>
     <message>
         <source>Such as the version of the form; may be left empty (Tab)</source>
-        <translation>Par exemple la version du formulaire ; peut rester vide (Tab)</translation>
+        <translation>Par exemple la version du formulaire&#xa0;; peut rester vide (Tab)</translation>
     </message>
     <message>
         <source>Give the day on which it was said.</source>
@@ -2942,7 +3019,7 @@
     </message>
     <message>
         <source>Adds this entry under your name; it is not changed any more (Enter)</source>
-        <translation>Ajoute cette entrée sous votre nom ; elle ne change plus (Entrée)</translation>
+        <translation>Ajoute cette entrée sous votre nom&#xa0;; elle ne change plus (Entrée)</translation>
     </message>
     <message>
         <source>Choose purpose, basis and answer first</source>
@@ -2973,11 +3050,11 @@
     </message>
     <message>
         <source>✗ No camera may look at this person: no lawful basis is on record.</source>
-        <translation>✗ Aucune caméra ne peut regarder cette personne : aucune base légale n’est enregistrée.</translation>
+        <translation>✗ Aucune caméra ne peut regarder cette personne&#xa0;: aucune base légale n’est enregistrée.</translation>
     </message>
     <message>
         <source>No camera may look at this person:</source>
-        <translation>Aucune caméra ne peut regarder cette personne :</translation>
+        <translation>Aucune caméra ne peut regarder cette personne&#xa0;:</translation>
     </message>
 </context>
 <context>
@@ -4587,12 +4664,39 @@ Reconnecté&#xa0;: %7</translation>
         </translation>
     </message>
     <message>
-        <source>x to the right, y up; arrows: fingers and where they press; outlines: targets in their order, dashed: where an object appears</source>
-        <translation>x vers la droite, y vers le haut&#xa0;; flèches&#xa0;: doigts et où ils appuient&#xa0;; contours&#xa0;: cibles dans leur ordre, en pointillé&#xa0;: où un objet apparaît</translation>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>x to the right, y up; arrows: fingers or hands, and where they press; outlines: targets in their order, dashed: where an object appears</source>
+        <translation>x vers la droite, y vers le haut ; flèches : doigts ou mains, et où ils appuient ; contours : cibles dans leur ordre, en pointillé : où un objet apparaît</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::PatchSketch</name>
+    <message>
+        <source>What the pads cover of the object: %1</source>
+        <translation>Ce que les pulpes couvrent de l’objet : %1</translation>
+    </message>
+    <message>
+        <source>Each as the pad looks at the object, tangent up; dashed: the whole pad; filled: what it covers; cross: the middle of that; red: where a ray ends before the pad does</source>
+        <translation>Chacune comme elle regarde l’objet, tangente vers le haut ; pointillé : la pulpe entière ; rempli : ce qu’elle couvre ; croix : son milieu ; rouge : où un rayon finit avant la pulpe</translation>
     </message>
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>edge</source>
+        <translation>bord</translation>
+    </message>
+    <message>
+        <source>friction ends</source>
+        <translation>fin du frottement</translation>
+    </message>
+    <message>
+        <source>surface ends</source>
+        <translation>fin de la surface</translation>
     </message>
 </context>
 <context>
@@ -5611,11 +5715,11 @@ Reconnecté&#xa0;: %7</translation>
     </message>
     <message>
         <source>Kept: effort %1, pain %2, shoulder %3. Another number corrects it.</source>
-        <translation>Conservé : effort %1, douleur %2, épaule %3. Un autre nombre corrige.</translation>
+        <translation>Conservé&#xa0;: effort %1, douleur %2, épaule %3. Un autre nombre corrige.</translation>
     </message>
     <message>
         <source>Correct: effort %1, pain %2, shoulder %3</source>
-        <translation>Corriger : effort %1, douleur %2, épaule %3</translation>
+        <translation>Corriger&#xa0;: effort %1, douleur %2, épaule %3</translation>
     </message>
     <message>
         <source>Shoulder</source>
@@ -5628,7 +5732,7 @@ Reconnecté&#xa0;: %7</translation>
     </message>
     <message>
         <source>A number is missing: nothing is kept yet.</source>
-        <translation>Il manque un nombre : rien n’est encore conservé.</translation>
+        <translation>Il manque un nombre&#xa0;: rien n’est encore conservé.</translation>
     </message>
 </context>
 <context>
@@ -6566,7 +6670,7 @@ Reconnecté&#xa0;: %7</translation>
     </message>
     <message>
         <source>For a hand that cannot open: the other one, mirrored; stored with the session (Tab, then space)</source>
-        <translation>Pour une main qui ne peut pas s’ouvrir : l’autre, en miroir ; conservé avec la séance (Tab, puis espace)</translation>
+        <translation>Pour une main qui ne peut pas s’ouvrir&#xa0;: l’autre, en miroir&#xa0;; conservé avec la séance (Tab, puis espace)</translation>
     </message>
     <message>
         <source>For a hand that cannot open. Measured in the entry test of %1.</source>
@@ -6574,11 +6678,11 @@ Reconnecté&#xa0;: %7</translation>
     </message>
     <message>
         <source>Size: that of the left hand, entry test of %1.</source>
-        <translation>Taille : celle de la main gauche, test d’entrée du %1.</translation>
+        <translation>Taille&#xa0;: celle de la main gauche, test d’entrée du %1.</translation>
     </message>
     <message>
         <source>Size: that of the right hand, entry test of %1.</source>
-        <translation>Taille : celle de la main droite, test d’entrée du %1.</translation>
+        <translation>Taille&#xa0;: celle de la main droite, test d’entrée du %1.</translation>
     </message>
 </context>
 <context>

@@ -87,6 +87,112 @@ TEST(TwoHandsCommands, ForcesThatAreNoPushesAreRefusedByColumnAndNothingIsWritte
   EXPECT_FALSE(std::filesystem::exists(folder.path("o.csv")));
 }
 
+const std::string kTray = ISOGRASP_SOURCE_DIR "/library/scenes/tray.toml";
+
+/// Both hands squeeze with 4 N and raise with `left_N` and `right_N`.
+std::string pushes(const TemporaryFolder& folder, double left_N, double right_N) {
+  std::string text =
+      "t_s,left_push_x_N,left_push_y_N,left_push_z_N,right_push_x_N,right_push_y_N,right_push_z_"
+      "N\n";
+  for (int k = 0; k < 400; ++k)
+    text += std::to_string(0.01 * k) + ",4," + std::to_string(left_N) + ",0,-4," +
+            std::to_string(right_N) + ",0\n";
+  return folder.write("pushes.csv", text);
+}
+
+TEST(TwoHandsCommands, ATrayIsLiftedAndTiltsTowardsWhoRaisesLess) {
+  const TemporaryFolder folder;
+  const std::string out = folder.path("o.csv");
+  const auto done = isograsp("simulate --scene " + kTray + " --forces " + pushes(folder, 2.0, 2.5) +
+                             " --out " + out);
+  ASSERT_EQ(done.status, 0) << done.err;
+  const auto rows = test::golden_table(out);
+  ASSERT_EQ(rows.size(), 401U) << "and the end of the last hold";
+  const auto& last = rows.back();
+  constexpr double kAtRest = 1e-3;  // of springs and dampers after 4 s
+  EXPECT_WITHIN(number_in(last, "y_m"), (4.5 - 0.3 * 9.81) / 10.0, kAtRest * 10.0);
+  EXPECT_WITHIN(2.0 * std::asin(number_in(last, "qz")), 0.5 * 0.15 / 0.57, kAtRest);
+  EXPECT_EQ(number_in(last, "fy_N"), 4.5);
+  EXPECT_EQ(number_in(last, "left_contact"), 1.0);
+  EXPECT_EQ(number_in(last, "right_contact"), 1.0);
+  const std::string first = test::must(read_text(out));
+  ASSERT_EQ(isograsp("simulate --scene " + kTray + " --forces " + folder.path("pushes.csv") +
+                     " --out " + out)
+                .status,
+            0);
+  EXPECT_EQ(test::must(read_text(out)), first) << "a second run is the same bytes";
+}
+
+TEST(TwoHandsCommands, TheFingersOfAHandPushWithTheirSum) {
+  const TemporaryFolder folder;
+  // Thumb against both fingers: 6 N of grip cancel, the net push of either hand is that above. The
+  // left platform is turned by pi about y.
+  std::string text = "t_s";
+  for (const char* side : {"left_", "right_"})
+    for (const char* finger : {"thumb_", "index_", "middle_"})
+      for (const char* axis : {"fx_N", "fy_N", "fz_N"})
+        text += "," + std::string(side) + finger + axis;
+  text += "\n";
+  // The left thumb presses along -x, its fingers along +x; of the right hand the other way.
+  const std::string left = ",1,0,6,0.5,0,5,0.5,0,5";
+  const std::string right = ",1,0,6,1,0,5,0.5,0,5";
+  for (int k = 0; k < 400; ++k) text += std::to_string(0.01 * k) + left + right + "\n";
+  const std::string out = folder.path("o.csv"), same = folder.path("same.csv");
+  const auto done = isograsp("simulate --scene " + kTray + " --forces " +
+                             folder.write("f.csv", text) + " --out " + out);
+  ASSERT_EQ(done.status, 0) << done.err;
+  ASSERT_EQ(isograsp("simulate --scene " + kTray + " --forces " + pushes(folder, 2.0, 2.5) +
+                     " --out " + same)
+                .status,
+            0);
+  EXPECT_EQ(test::must(read_text(out)), test::must(read_text(same)));
+}
+
+TEST(TwoHandsCommands, HandsWithoutCouplingAreTwoNumbersThatScoreReads) {
+  const TemporaryFolder folder;
+  const std::string scene =
+      folder.write("none.toml", "format = \"isograsp-scene-1\"\n[hands]\ncoupling = \"none\"\n");
+  const std::string out = folder.path("o.csv");
+  const auto done = isograsp("simulate --scene " + scene + " --forces " + pushes(folder, 3.0, 0.0) +
+                             " --out " + out);
+  ASSERT_EQ(done.status, 0) << done.err;
+  const auto rows = test::golden_table(out);
+  ASSERT_EQ(rows.size(), 400U);
+  EXPECT_EQ(number_in(rows[7], "left_force_N"), 5.0);
+  EXPECT_EQ(number_in(rows[7], "right_force_N"), 4.0);
+  EXPECT_EQ(number_in(rows[7], "right_push_x_N"), -4.0);
+  EXPECT_EQ(isograsp("score --json --affected left --signals " + out).status, 0);
+}
+
+TEST(TwoHandsCommands, ForcesThatDoNotFitTheContactsAreRefusedWithColumnAndRemedy) {
+  const TemporaryFolder folder;
+  const std::string good = pushes(folder, 1.0, 1.0);
+  const std::string rows = test::must(read_text(good));
+  const auto refuses = [&](const std::string& scene, const std::string& text,
+                           const std::string& named) {
+    const auto done = isograsp("simulate --scene " + scene + " --forces " +
+                               folder.write("bad.csv", text) + " --out " + folder.path("no.csv"));
+    EXPECT_EQ(done.status, 2) << named;
+    EXPECT_NE(done.err.find(named), std::string::npos) << done.err;
+    EXPECT_EQ(std::count(done.err.begin(), done.err.end(), '\n'), 1) << done.err;
+    EXPECT_FALSE(std::filesystem::exists(folder.path("no.csv")));
+  };
+  const std::string mixed = "t_s,left_push_x_N,left_push_y_N,left_push_z_N,left_thumb_fx_N\n";
+  refuses(kTray, mixed + "0,1,1,1,1\n0.1,1,1,1,1\n", "left_thumb_fx_N");
+  refuses(kTray, "t_s,left_push_x_N\n0,1\n0.1,1\n", "left_push_y_N");
+  std::string gap = rows;
+  gap.replace(gap.find(",4,"), 3, ",,");
+  refuses(kTray, gap, "left_push_x_N");
+  std::string fingers = test::must(read_text(kTray));
+  fingers.replace(fingers.find("hand = \"left\""), 13, "hand = \"left\"\nfinger = \"thumb\"");
+  const std::string by_fingers = folder.write("fingers.toml", fingers);
+  refuses(by_fingers, rows, "left_thumb_fx_N");
+  const auto handed = isograsp("simulate --hand left --scene " + kTray + " --forces " + good +
+                               " --out " + folder.path("no.csv"));
+  EXPECT_EQ(handed.status, 2);
+  EXPECT_NE(handed.err.find("--hand"), std::string::npos) << handed.err;
+}
+
 TEST(TwoHandsCommands, ARecordOfTwoHandsIsScoredAsTheReference) {
   constexpr double kOtherSums = 1e-9;  // the reference adds up in another order
   const auto golden = Json::parse(test::must(read_text(kData + "bilateral.json")));

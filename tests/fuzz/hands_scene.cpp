@@ -6,6 +6,7 @@
 
 #include "bimanual/carried_object.hpp"
 #include "bimanual/grasp_of_hands.hpp"
+#include "bimanual/pressed_by_hands.hpp"
 #include "bimanual/read_hands.hpp"
 #include "bimanual/two_hands.hpp"
 #include "tests/fuzz/support.hpp"
@@ -50,6 +51,20 @@ void move_by_pushes(const HandsScene& scene) {
   }
 }
 
+void press(const HandsScene& scene) {
+  const auto pressed = PressedByHands::compile(scene.object, scene.contacts, kRow_s);
+  if (!pressed) return;
+  PressedState state = pressed->initial_state();
+  for (int k = 0; k < 40; ++k) {
+    HandWrenches wrench_C{};
+    for (FingerWrenches& hand : wrench_C)
+      for (Wrench& wrench : hand) wrench = {{0.1 * k - 2.0, 1.0, 0.3 * k}, {0.0, 0.0, 0.01}};
+    const PressedWrench wrench = pressed->grasp(wrench_C, state);
+    fuzz::require(wrench.both.F_O_W.force.allFinite(), "what hands press is a number");
+    pressed->move(wrench, state);
+  }
+}
+
 void hold_by_pads(const HandsScene& scene) {
   constexpr std::size_t kMostPoints = 500;  // more take longer and tell nothing
   std::size_t points = 0;
@@ -77,7 +92,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::require_helpful(scene.error(), text);
     return 0;
   }
-  move_by_pushes(*scene);
-  hold_by_pads(*scene);
+  switch (scene->coupling) {
+    case Coupling::none: break;
+    case Coupling::force: press(*scene); break;
+    case Coupling::proxy:
+      move_by_pushes(*scene);
+      hold_by_pads(*scene);
+      break;
+  }
   return 0;
 }

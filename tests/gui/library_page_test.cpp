@@ -80,6 +80,72 @@ TEST(LibraryPreview, OfAProtocolHasStepsWhoseDurationsAddUpToThatOfTheWhole) {
   EXPECT_WITHIN(sum.worst_s, whole.worst_s, kRounding_s);
 }
 
+TEST(LibraryPreview, OfASceneWithPadsIsWhatTheyCoverAndWhyTheirRaysEnd) {
+  const auto block = preview(LibraryKind::scenes, "slim_block.toml");
+  ASSERT_EQ(block.patches.size(), 3U);
+  const auto ended = [&](std::size_t pad, RayStop stop) {
+    const auto& stops = block.patches[pad].stops;
+    return std::count(stops.begin(), stops.end(), stop);
+  };
+  EXPECT_EQ(ended(0, RayStop::length), 64) << "the thumb lies in the middle of its face";
+  EXPECT_TRUE(block.patches[0].words.contains("middle: 0.00 mm along the tangent, 0.00 mm across"))
+      << block.patches[0].words.toStdString();
+  for (const std::size_t pad : {1U, 2U}) {
+    EXPECT_EQ(ended(pad, RayStop::edge), 13);
+    EXPECT_EQ(ended(pad, RayStop::length), 51);
+    const auto& patch = block.patches[pad];
+    EXPECT_EQ(patch.outline.size(), 64);
+    constexpr double kRounding_m = 1e-9;
+    const QRectF object =
+        patch.object.boundingRect().adjusted(-kRounding_m, -kRounding_m, kRounding_m, kRounding_m);
+    for (const QPointF& p : patch.outline) EXPECT_TRUE(object.contains(p));
+    // The index reaches over the upper edge, the middle finger over the lower one: x is up.
+    EXPECT_LT((pad == 1 ? 1.0 : -1.0) * patch.centroid.x(), -1e-4);
+    EXPECT_TRUE(patch.words.contains("13 stop at an edge")) << patch.words.toStdString();
+    EXPECT_TRUE(patch.words.contains("51 reach the end of the pad"));
+    EXPECT_TRUE(patch.words.contains("3.32 N mm")) << patch.words.toStdString();
+    EXPECT_TRUE(patch.words.contains("covers 119 of the 130 mm²")) << patch.words.toStdString();
+  }
+}
+
+TEST(LibraryPreview, OfARoundObjectIsItsOutlineAsThePadLooksAtIt) {
+  const std::string text =
+      "format = \"isograsp-scene-1\"\nname = \"round\"\n[object]\nshape = \"SHAPE\"\nsize_m = "
+      "SIZE\n"
+      "mass_kg = 0.3\n[dynamics]\nfree = [\"x\"]\nstiffness = [1, 1, 1, 1, 1, 1]\n"
+      "damping = [1, 1, 1, 1, 1, 1]\n[[contact]]\nfinger = \"index\"\nposition_m = [-0.02, 0, 0]\n"
+      "normal = [1, 0, 0]\ntangent = [0, 1, 0]\nmodel = \"pad\"\nfriction = 0.3\n"
+      "patch = {semi_axes_m = [0.0075, 0.0075]}\n";
+  const auto shown = [&](const std::string& shape, const std::string& size) {
+    std::string one = text;
+    one.replace(one.find("SHAPE"), 5, shape);
+    one.replace(one.find("SIZE"), 4, size);
+    return preview_of(LibraryKind::scenes, one, "round.toml", kShipped);
+  };
+  const auto ball = shown("sphere", "[0.04]");
+  ASSERT_EQ(ball.patches.size(), 1U);
+  EXPECT_TRUE(ball.patches[0].words.contains("64 stop where friction no longer holds"));
+  const QRectF round = ball.patches[0].object.boundingRect();
+  constexpr double kCorners_m = 1e-4;  // a circle of 48 corners
+  EXPECT_WITHIN(round.width(), 0.04, kCorners_m);
+  EXPECT_WITHIN(round.height(), 0.04, kCorners_m);
+  const auto rod = shown("cylinder", "[0.04, 0.1]");
+  ASSERT_EQ(rod.patches.size(), 1U);
+  const QRectF beside = rod.patches[0].object.boundingRect();
+  EXPECT_WITHIN(beside.width(), 0.04, kCorners_m) << "tangent, across the axis";
+  EXPECT_WITHIN(beside.height(), 0.1, kCorners_m) << "along the axis";
+}
+
+TEST(LibraryPreview, OfTwoHandsShowsWhoPressesWhere) {
+  const auto tray = preview(LibraryKind::scenes, "tray.toml");
+  ASSERT_TRUE(tray.sketch.has_value());
+  ASSERT_EQ(tray.sketch->touches.size(), 2U);
+  EXPECT_EQ(tray.sketch->touches[0].letters, "L");
+  EXPECT_EQ(tray.sketch->touches[1].letters, "R");
+  EXPECT_LT(tray.sketch->touches[0].place.x(), tray.sketch->touches[1].place.x());
+  EXPECT_TRUE(tray.patches.empty());
+}
+
 class LibraryPageTest : public QtTest {
  protected:
   LibraryPageTest() { start(); }
@@ -296,6 +362,12 @@ TEST_F(LibraryPageTest, ScenesAndProtocolsShowWhatTheyAre) {
   EXPECT_TRUE(operator_->find<QLabel>("library_facts").text().contains("ns per frame"));
   choose("planar block");
   keep("library_scene");
+  choose("slim block");
+  EXPECT_TRUE(operator_->find<PatchSketch>("library_patches").isVisible());
+  keep("library_patch");
+  choose("tray");
+  EXPECT_FALSE(operator_->find<PatchSketch>("library_patches").isVisible());
+  keep("library_tray");
   operator_->press("library_protocols");
   auto& steps = operator_->find<QTableWidget>("library_steps");
   ASSERT_TRUE(wait_until([&] { return steps.isVisible() && steps.rowCount() > 1; }));

@@ -108,9 +108,9 @@ std::set<std::string> texts_in_code(std::string_view code) {
 
 std::set<std::string> all_texts(const std::string& source_folder) {
   std::set<std::string> texts;
-  for (const char* folder :
-       {"core", "hand", "kinematics", "device", "grasp_model", "virtual_patient", "statistics",
-        "tasks", "storage", "session", "exports", "reports", "gui", "app", "languages"})
+  for (const char* folder : {"core", "hand", "kinematics", "device", "grasp_model", "bimanual",
+                             "virtual_patient", "statistics", "tasks", "storage", "session",
+                             "exports", "reports", "gui", "app", "languages"})
     for (const auto& entry : fs::recursive_directory_iterator(source_folder + "/" + folder)) {
       const auto ending = entry.path().extension();
       if (ending != ".cpp" && ending != ".hpp") continue;

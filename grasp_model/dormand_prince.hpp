@@ -16,7 +16,7 @@ inline constexpr std::array<double, 8> kWeight{0.0542937341165687622380536, 4.45
 
 /// Rates k[i] = f(i, y_i) at the stages of a step of y' = f(y).
 template <class State, class Rate>
-void stages(const State& y, typename State::Scalar h, const Rate& f, std::array<State, 12>& k) {
+[[gnu::always_inline]] inline void stages(const State& y, typename State::Scalar h, const Rate& f, std::array<State, 12>& k) {
   k[0] = f(0, y);
   k[1] = f(1, y + h * (0.0526001519587677318785588 * k[0]));
   k[2] = f(2, y + h * (0.0197250569845378994544595 * k[0] + 0.0591751709536136983633786 * k[1]));
@@ -32,16 +32,16 @@ void stages(const State& y, typename State::Scalar h, const Rate& f, std::array<
 }
 
 template <class State>
-[[nodiscard]] State increment(const std::array<State, 12>& k) {
+[[nodiscard, gnu::always_inline]] inline State increment(const std::array<State, 12>& k) {
   return 0.0542937341165687622380536 * k[0] + 4.45031289275240888144114 * k[5] + 1.89151789931450038304282 * k[6] - 5.80120396001058478146721 * k[7] + 0.311164366957819894408916 * k[8] - 0.152160949662516078556179 * k[9] + 0.201365400804030348374777 * k[10] + 0.0447106157277725905176886 * k[11];
 }
 /// Errors of the embedded formulas of order 5 and 3, per unit of h.
 template <class State>
-[[nodiscard]] State error5(const std::array<State, 12>& k) {
+[[nodiscard, gnu::always_inline]] inline State error5(const std::array<State, 12>& k) {
   return 0.0131200449941948807325010 * k[0] - 1.22515644637620444072057 * k[5] - 0.495758949657250191521408 * k[6] + 1.66437718245498653696153 * k[7] - 0.350328848749973681688649 * k[8] + 0.334179118713017479029732 * k[9] + 0.0819232064851157124657074 * k[10] - 0.0223553078638862952588443 * k[11];
 }
 template <class State>
-[[nodiscard]] State error3(const std::array<State, 12>& k) {
+[[nodiscard, gnu::always_inline]] inline State error3(const std::array<State, 12>& k) {
   return -0.189800754072407615714702 * k[0] + 4.45031289275240888144114 * k[5] + 1.89151789931450038304282 * k[6] - 5.80120396001058478146721 * k[7] - 0.422682321323791962932446 * k[8] - 0.152160949662516078556179 * k[9] + 0.201365400804030348374777 * k[10] + 0.0226517921983608258118062 * k[11];
 }
 // clang-format on

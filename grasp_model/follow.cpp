@@ -7,8 +7,27 @@
 #include <cmath>
 
 #include "grasp_model/dormand_prince.hpp"
+#include "grasp_model/low_orders.hpp"
 
 namespace isograsp {
+
+namespace {
+
+template <std::size_t size>
+constexpr Quadrature weighted(const std::array<double, size>& time,
+                              const std::array<double, size>& weight,
+                              const std::array<std::size_t, size>& stage) {
+  Quadrature nodes;
+  nodes.size = size;
+  for (std::size_t n = 0; n < size; ++n) {
+    nodes.time[n] = time[n];
+    nodes.weight[n] = weight[n];
+    nodes.stage[n] = stage[n];
+  }
+  return nodes;
+}
+
+}  // namespace
 
 double fastest_rate(const Oscillator& o) noexcept {
   return o.m == 0.0 ? o.k / o.c : std::sqrt(o.k / o.m) + o.c / o.m;
@@ -19,13 +38,17 @@ const Quadrature& gauss5() noexcept {
       5,
       {0.046910077030668004, 0.23076534494715845, 0.5, 0.76923465505284155, 0.953089922969332},
       {0.11846344252809454, 0.23931433524968324, 0.28444444444444444, 0.23931433524968324,
-       0.11846344252809454}};
+       0.11846344252809454},
+      {}};
   return kGauss;
 }
 
-const Quadrature& stage_nodes() noexcept {
-  static constexpr Quadrature kStages{8, dormand_prince::kTime, dormand_prince::kWeight};
-  return kStages;
+const Quadrature& stage_nodes(so3::Order order) noexcept {
+  static constexpr std::array<Quadrature, 3> kStages{
+      weighted(bogacki_shampine::kTime, bogacki_shampine::kWeight, bogacki_shampine::kWeighted),
+      weighted(cash_karp::kTime, cash_karp::kWeight, cash_karp::kWeighted),
+      weighted(dormand_prince::kTime, dormand_prince::kWeight, dormand_prince::kWeighted)};
+  return kStages[static_cast<std::size_t>(order)];
 }
 
 double FreeAxes::fastest_rate() const noexcept {
@@ -63,9 +86,9 @@ Motion QuadraturePanel::advance(Eigen::Index axis, const Motion& start,
   return end;
 }
 
-Follower::Follower(const FreeAxes& axes, const Quadrature& nodes, double hold_s)
+Follower::Follower(const FreeAxes& axes, const Quadrature& nodes, double hold_s, int finest)
     : axes_(axes), nodes_(&nodes), hold_s_(hold_s) {
-  for (int level = 0; level <= kFinestLevel; ++level)
+  for (int level = 0; level <= finest; ++level)
     levels_.emplace_back(axes, nodes, std::ldexp(hold_s, -level));
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/spatial.hpp"
+#include "grasp_model/spin.hpp"
 #include "grasp_model/zoh.hpp"
 
 namespace isograsp {
@@ -18,11 +19,12 @@ struct Quadrature {
   std::size_t size = 0;
   std::array<double, kMost> time{};
   std::array<double, kMost> weight{};
+  std::array<std::size_t, kMost> stage{};  ///< of a step, that a node is
 };
 /// Gauss-Legendre, five nodes: exact for polynomials of degree 9.
 [[nodiscard]] const Quadrature& gauss5() noexcept;
-/// The weighted stages of the explicit step of so3: order 8 along its own motion.
-[[nodiscard]] const Quadrature& stage_nodes() noexcept;
+/// The weighted stages of an explicit step of so3: of its order along its own motion.
+[[nodiscard]] const Quadrature& stage_nodes(so3::Order order) noexcept;
 
 /// Forces in one panel, world axes [N].
 struct PanelForces {
@@ -61,12 +63,18 @@ class QuadraturePanel {
 
 /// Most halvings of a hold: 64 panels or steps.
 inline constexpr int kFinestLevel = 6;
+/// Levels below 0 are one step of a lower order.
+inline constexpr int kCoarsestLevel = -2;
+[[nodiscard]] inline so3::Order order_of(int level) noexcept {
+  return level >= 0 ? so3::Order::eighth : level == -1 ? so3::Order::fifth : so3::Order::third;
+}
 
-/// The panels of a hold at every level, made once.
+/// The panels of a hold at its levels, made once.
 class Follower {
  public:
   Follower() = default;
-  Follower(const FreeAxes& axes, const Quadrature& nodes, double hold_s);
+  /// Panels down to the 2^finest of a hold.
+  Follower(const FreeAxes& axes, const Quadrature& nodes, double hold_s, int finest);
   /// One of the 2^level panels of the hold.
   [[nodiscard]] const QuadraturePanel& panel(int level) const noexcept {
     return levels_[static_cast<std::size_t>(level)];

@@ -13,6 +13,9 @@ namespace isograsp {
 namespace {
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+/// With a tolerance above this, lower orders are tried and energy is watched; below it the motion
+/// is as good as exact and nothing would be gained.
+constexpr double kWatched_rad = 1e-9;
 
 /// Matrix of springs or dampers along axes turned against the world.
 Mat3 in_world(const Mat3& R_WA, const Vec3& values) {
@@ -108,9 +111,7 @@ Result<Plan> Plan::compile(const Scene& scene, double hold_s) {
   plan.compile_contacts();
   plan.steps_ = plan.coefficients(hold_s);
   plan.compile_lanes();
-  if (plan.force_follows_)
-    plan.follower_ = Follower(
-        plan.linear_, plan.rotations_ == Rotations::three ? stage_nodes() : gauss5(), hold_s);
+  plan.compile_levels();
   return plan;
 }
 
@@ -146,8 +147,37 @@ void Plan::compile_contacts() {
   for (unsigned mask = 0; mask < 8; ++mask) acts_[mask] = grasp_rule_holds(scene_, mask);
 }
 
+void Plan::compile_levels() {
+  if (rotations_ == Rotations::three && scene_.tolerance_rad > kWatched_rad) {
+    rate_.watch();
+    // A force that turns is integrated along the rotation's stages: their order must do for what
+    // the translations remember of it.
+    const double remembered_rad = force_follows_ ? linear_.fastest_rate() * hold_s_ : 0.0;
+    const so3::SpinVector start = so3::pack(
+        {scene_.initial_X_WO.q, scene_.initial_X_WO.q.conjugate() * scene_.initial_w_WO_W});
+    const double turn_rad = rate_.fastest(start, hold_s_) * hold_s_;
+    for (int level = -1; level >= kCoarsestLevel; --level) {
+      const so3::Order order = order_of(level);
+      const bool fifth = order == so3::Order::fifth;
+      const double forgotten =
+          fifth ? std::pow(remembered_rad, 5) / 720.0 : std::pow(remembered_rad, 3) / 24.0;
+      if (forgotten > scene_.tolerance_rad) break;
+      coarsest_level_ = level;
+      if (so3::typical_error_rad(order, turn_rad) <= scene_.tolerance_rad) likely_level_ = level;
+    }
+  }
+  if (!force_follows_) return;
+  if (rotations_ == Rotations::one_axis)
+    followers_.back() = Follower(linear_, gauss5(), hold_s_, kFinestLevel);
+  else
+    for (int level = coarsest_level_; level <= 0; ++level)
+      followers_[static_cast<std::size_t>(order_of(level))] =
+          Follower(linear_, stage_nodes(order_of(level)), hold_s_, level == 0 ? kFinestLevel : 0);
+}
+
 ObjectState Plan::initial_state() const {
   ObjectState state;
+  state.level = likely_level_;
   state.X_WO = scene_.initial_X_WO;
   state.v_WO_W = scene_.initial_v_WO_W;
   state.w_WO_W = scene_.initial_w_WO_W;
@@ -160,6 +190,7 @@ ObjectState Plan::initial_state() const {
 
 ObjectState Plan::at_rest(const Pose& X_WO) const noexcept {
   ObjectState state;
+  state.level = likely_level_;
   state.X_WO = scene_.initial_X_WO;
   for (Eigen::Index i = 0; i < 3; ++i)
     if (scene_.free[static_cast<std::size_t>(i)]) state.X_WO.p[i] = X_WO.p[i];

@@ -34,7 +34,8 @@ struct ObjectState {
   /// The estimate is above the scene's tolerance, or the motion was too stiff to resolve: the state
   /// is finite but not exact (docs/grasp_model.md).
   bool tolerance_exceeded = false;
-  /// Three free rotations: how finely the last hold was divided; the next one begins with it.
+  /// Three free rotations: how the last hold was taken, and how the next begins. n >= 0: 2^n steps
+  /// of order 8; -1: one of order 5; -2: one of order 3.
   int level = 0;
 };
 
@@ -84,6 +85,10 @@ class Plan {
   /// Translations are coupled by springs or dampers whose axes are not those of the world.
   [[nodiscard]] bool coupled() const noexcept { return coupled_; }
   [[nodiscard]] const so3::Body& body() const noexcept { return rate_.body(); }
+  /// Three free rotations: the level (ObjectState::level) that the scene's tolerance, springs,
+  /// dampers and first speed make likely, and the coarsest that a hold may take.
+  [[nodiscard]] int likely_level() const noexcept { return likely_level_; }
+  [[nodiscard]] int coarsest_level() const noexcept { return coarsest_level_; }
   /// Whether the fingers of `mask` (bit f = finger f) move the object under the scene's grasp rule.
   [[nodiscard]] bool acts(unsigned mask) const noexcept { return acts_[mask]; }
 
@@ -109,6 +114,7 @@ class Plan {
 
   Plan() = default;
   void compile_contacts();
+  void compile_levels();
   [[nodiscard]] Coefficients coefficients(double hold_s) const;
   template <class Use>
   unsigned touch(const FingerWrenches& wrench_C, ObjectState& state, const Use& use) const noexcept;
@@ -144,8 +150,8 @@ class Plan {
   /// Translations over one panel of a force that turns; `between(from, to)` gives the forces of a
   /// part of it, which are needed if a travel limit is met inside.
   template <class Between>
-  void push_over(const QuadraturePanel& panel, const PanelForces& forces, const Between& between,
-                 ObjectState& state) const noexcept;
+  void push_over(const Follower& follower, const QuadraturePanel& panel, const PanelForces& forces,
+                 const Between& between, ObjectState& state) const noexcept;
 
   // What every frame reads comes first.
   std::array<Pressing, kFingerCount> pressing_{};
@@ -173,7 +179,9 @@ class Plan {
   CoupledAxes coupling_;
   Oscillator turn_;
   so3::SpinRate rate_;
-  Follower follower_;
+  int likely_level_ = 0;
+  int coarsest_level_ = 0;
+  std::array<Follower, 3> followers_;  ///< by so3::Order; about one axis the last
   Scene scene_;
 };
 

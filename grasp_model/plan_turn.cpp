@@ -5,7 +5,6 @@
 #include <cmath>
 #include <optional>
 
-#include "grasp_model/dormand_prince.hpp"
 #include "grasp_model/plan.hpp"
 #include "grasp_model/rotation.hpp"
 
@@ -16,11 +15,9 @@ namespace {
 /// A panel turns the fastest rate by at most this: error of the quadrature below 1e-13 of the
 /// force.
 constexpr double kPanel_rad = 0.5;
-/// The explicit step is stable up to this.
-constexpr double kStable_rad = 5.0;
 /// If a damper needs more than 2 to this explicit steps, one stiff step is better.
 constexpr int kStiffLevel = 3;
-/// A step one level coarser makes an error larger by 2 to this power.
+/// A step of twice the length makes an error larger by 2 to this power.
 constexpr int kExplicitOrder = 8;
 constexpr int kStiffOrder = 5;
 
@@ -42,8 +39,9 @@ Vec3 turned(const so3::SpinVector& y, const Vec3& force_O) noexcept {
 }  // namespace
 
 template <class Between>
-void Plan::push_over(const QuadraturePanel& panel, const PanelForces& forces,
-                     const Between& between, ObjectState& state) const noexcept {
+void Plan::push_over(const Follower& follower, const QuadraturePanel& panel,
+                     const PanelForces& forces, const Between& between,
+                     ObjectState& state) const noexcept {
   for (std::size_t a = 0; a < axis_count_; ++a) {
     const Eigen::Index axis = axes_[a];
     const auto i = static_cast<std::size_t>(axis);
@@ -78,8 +76,7 @@ void Plan::push_over(const QuadraturePanel& panel, const PanelForces& forces,
     for (int halving = 0; halving < 60; ++halving) {
       const double middle_s = 0.5 * (inside_s + outside_s);
       if (middle_s <= inside_s || middle_s >= outside_s) break;
-      const Motion there =
-          follower_.panel_of(middle_s).advance(axis, start, between(0.0, middle_s));
+      const Motion there = follower.panel_of(middle_s).advance(axis, start, between(0.0, middle_s));
       (outside(there.x) ? outside_s : inside_s) = middle_s;
     }
     p = anchor + end.x > travel.most ? travel.most : travel.least;
@@ -88,7 +85,7 @@ void Plan::push_over(const QuadraturePanel& panel, const PanelForces& forces,
     if (!(left_s > 0.0)) continue;
     const PanelForces after = between(outside_s, panel.length_s());
     if (rests(p, after.begin[axis])) continue;
-    const Motion back = follower_.panel_of(left_s).advance(axis, {p - anchor, 0.0}, after);
+    const Motion back = follower.panel_of(left_s).advance(axis, {p - anchor, 0.0}, after);
     p = std::clamp(anchor + back.x, travel.least, travel.most);
     v = back.v;
   }
@@ -118,9 +115,10 @@ void Plan::follow_about_axis(const Coefficients& steps, const Vec6& held,
   const int panels = 1 << level;
   const double panel_s = hold_s / panels;
 
+  const Follower& follower = followers_.back();
   std::optional<QuadraturePanel> fresh;
   const QuadraturePanel& panel =
-      hold_s == hold_s_ ? follower_.panel(level) : fresh.emplace(follower_.panel_of(panel_s));
+      hold_s == hold_s_ ? follower.panel(level) : fresh.emplace(follower.panel_of(panel_s));
   Motion turn{state.angle_rad, state.w_WO_W[axis_]};
   const auto after = [&](double time_s) {
     const LinearStep step(turn_, time_s);
@@ -141,13 +139,13 @@ void Plan::follow_about_axis(const Coefficients& steps, const Vec6& held,
   const auto between = [&](double from_s, double to_s) {
     PanelForces forces;
     forces.begin = force_at(after(from_s).x);
-    for (std::size_t n = 0; n < follower_.nodes().size; ++n)
-      forces.node[n] = force_at(after(from_s + (to_s - from_s) * follower_.nodes().time[n]).x);
+    for (std::size_t n = 0; n < follower.nodes().size; ++n)
+      forces.node[n] = force_at(after(from_s + (to_s - from_s) * follower.nodes().time[n]).x);
     forces.end = force_at(after(to_s).x);
     return forces;
   };
   for (int i = 0; i < panels; ++i) {
-    push_over(panel, between(0.0, panel_s), between, state);
+    push_over(follower, panel, between(0.0, panel_s), between, state);
     turn = after(panel_s);
   }
   set_turn(turn, state);
@@ -162,66 +160,87 @@ void Plan::turn_freely(double hold_s, const Vec6& held, ObjectState& state) cons
   Quat& q_WO = state.X_WO.q;
   so3::SpinVector y = so3::pack({Quat(branch_ * q_WO.coeffs()), q_WO.conjugate() * state.w_WO_W});
 
-  int coarsest = level_for(rate.fastest(y, hold_s) * hold_s, kStable_rad);
+  const double turn_rad = rate.fastest(y, hold_s) * hold_s;
+  int coarsest = coarsest_level_;
+  while (coarsest < 0 && !(turn_rad <= so3::stable_rad(order_of(coarsest)))) ++coarsest;
+  if (coarsest == 0) coarsest = level_for(turn_rad, so3::stable_rad(so3::Order::eighth));
   const bool stiff = coarsest > (rate.overdamped() ? kStiffLevel : kFinestLevel);
   if (stiff) coarsest = 0;
   int follow_level = 0;
   if (force_follows_) follow_level = level_for(linear_.fastest_rate() * hold_s, kPanel_rad);
   bool exceeded = follow_level > kFinestLevel ||
                   (stiff && rate.too_fast(y, std::ldexp(hold_s, -kFinestLevel), hold_s));
-  coarsest = std::max(coarsest, std::min(follow_level, kFinestLevel));
+  if (follow_level > 0) coarsest = std::max(coarsest, std::min(follow_level, kFinestLevel));
+
+  // What may not be followed must not gain energy either.
+  const bool hard = stiff || coarsest == kFinestLevel;
+  if (hard) rate.watch();
 
   // States at the nodes of the panel that a step makes, for the force that follows.
   so3::StageStates seen;
+  int level = std::clamp(state.level, coarsest, kFinestLevel);
   const auto take = [&](const so3::SpinVector& from, double h_s) {
     return stiff ? so3::stiff_step(rate, from, h_s)
-                 : so3::explicit_step(rate, from, h_s, force_follows_ ? &seen : nullptr);
+                 : so3::explicit_step(order_of(level), rate, from, h_s,
+                                      force_follows_ ? &seen : nullptr);
   };
   const auto forces_along = [&](const so3::SpinVector& from, const so3::SpinVector& to,
                                 double h_s) {
+    const Quadrature& nodes = stage_nodes(order_of(level));
     PanelForces forces;
     forces.begin = weight_W_ + turned(from, force_O);
     forces.end = weight_W_ + turned(to, force_O);
-    for (std::size_t n = 0; n < dormand_prince::kWeighted.size(); ++n)
-      forces.node[n] =
-          weight_W_ + turned(stiff ? so3::between(from, to, h_s, dormand_prince::kTime[n])
-                                   : seen[dormand_prince::kWeighted[n]],
-                             force_O);
+    for (std::size_t n = 0; n < nodes.size; ++n)
+      forces.node[n] = weight_W_ + turned(stiff ? so3::between(from, to, h_s, nodes.time[n])
+                                                : seen[nodes.stage[n]],
+                                          force_O);
     return forces;
   };
 
+  const so3::SpinVector start = y;
   const int order = stiff ? kStiffOrder : kExplicitOrder;
   constexpr int kSlots = 1 << kFinestLevel;
-  int level = std::clamp(state.level, coarsest, kFinestLevel);
   double error_rad = 0.0;
   for (int slot = 0; slot < kSlots;) {
-    const double h_s = std::ldexp(hold_s, -level);
+    const int halvings = std::max(level, 0);
+    const double h_s = std::ldexp(hold_s, -halvings);
     const so3::SpinStep step = take(y, h_s);
-    const double allowed_rad = std::ldexp(scene_.tolerance_rad, -level);
+    const double allowed_rad = std::ldexp(scene_.tolerance_rad, -halvings);
     if (!(step.error_rad <= allowed_rad) && level < kFinestLevel) {
       ++level;
       continue;
     }
     if (force_follows_) {
+      const Follower& follower = followers_[static_cast<std::size_t>(order_of(level))];
       const PanelForces forces = forces_along(y, step.end, h_s);
       const auto between = [&](double from_s, double to_s) {
         const so3::SpinVector at = from_s > 0.0 ? take(y, from_s).end : y;
         return forces_along(at, take(at, to_s - from_s).end, to_s - from_s);
       };
       std::optional<QuadraturePanel> fresh;
-      push_over(hold_s == hold_s_ ? follower_.panel(level) : fresh.emplace(follower_.panel_of(h_s)),
-                forces, between, state);
+      push_over(
+          follower,
+          hold_s == hold_s_ ? follower.panel(halvings) : fresh.emplace(follower.panel_of(h_s)),
+          forces, between, state);
     }
     y = step.end;
     error_rad += step.error_rad;
-    slot += kSlots >> level;
-    const bool aligned = level > coarsest && slot % (kSlots >> (level - 1)) == 0;
-    if (aligned && std::ldexp(step.error_rad, order) <= allowed_rad) --level;
+    slot += kSlots >> halvings;
+    if (level <= coarsest) continue;
+    if (level <= 0) {
+      if (step.coarser_rad <= allowed_rad) --level;
+    } else if (slot % (kSlots >> (level - 1)) == 0 &&
+               std::ldexp(step.error_rad, order) <= allowed_rad) {
+      --level;
+    }
   }
+  exceeded = exceeded || !(error_rad <= scene_.tolerance_rad);
+  if (!y.allFinite()) y = so3::pack({so3::unpack(start).q_WO, Vec3::Zero()});
+  if (rate_.watched() || (exceeded && hard))
+    error_rad += rate.limit_energy(rate.energy(start) + y[7], y);
   rate.settle(y);
   y.head<4>() /= y.head<4>().norm();
   const so3::Spin spin = so3::unpack(y);
-  exceeded = exceeded || !(error_rad <= scene_.tolerance_rad);
   if (!body().stiffness.isZero(0.0) && so3::log(spin.q_WO).norm() > so3::kSpringReach_rad)
     exceeded = true;
   state.level = level;

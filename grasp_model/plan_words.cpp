@@ -5,31 +5,54 @@
 #include <algorithm>
 
 #include "core/csv.hpp"
-#include "grasp_model/dormand_prince.hpp"
 
 namespace isograsp {
 
 namespace {
 
-/// Coefficients of the Runge-Kutta step that are not 0: of the stages, the end, both errors.
-constexpr int kCoefficients = 1 + 2 + 2 + 3 + 3 + 4 + 5 + 6 + 7 + 8 + 9 + 8 + 8 + 9;
+/// Coefficients of a Runge-Kutta step that are not 0: of the stages, the end, the errors.
+int coefficients_of(so3::Order order) {
+  constexpr int kThird = 1 + 1 + 3 + 3;
+  constexpr int kFifth = 1 + 2 + 3 + 4 + 5 + 4 + 5;
+  constexpr int kEighth = 1 + 2 + 2 + 3 + 3 + 4 + 5 + 6 + 7 + 8 + 9 + 8 + 8 + 9;
+  return order == so3::Order::third ? kThird : order == so3::Order::fifth ? kFifth : kEighth;
+}
 
 int flops_of_free_rotation(const Plan& plan) {
   const so3::Body& body = plan.body();
   const Scene& scene = plan.scene();
+  const so3::Order order = order_of(plan.likely_level());
   constexpr int kState = 7;
   int rate = 4 * 7 + 3 * 8;                             // quaternion, momentum
   if (!body.stiffness.isZero(0.0)) rate += 6 + 30 + 7;  // angle of the half, polynomial, torque
   const bool even = body.stiffness.minCoeff() == body.stiffness.maxCoeff();
   if (!even) rate += 45;
   if (scene.wrench_frame == WrenchFrame::hand) rate += 33;  // torque turned into the body
-  int flops = 12 * rate + 2 * kState * kCoefficients;
+  int flops = so3::evaluations(order) * rate + 2 * kState * coefficients_of(order);
   if (plan.force_follows()) {
     constexpr int kTurned = 30;
     const int axes = static_cast<int>(std::count(scene.free.begin(), scene.free.begin() + 3, true));
-    flops += 10 * kTurned + axes * (11 + 5 * 8);
+    const int nodes = static_cast<int>(stage_nodes(order).size);
+    flops += (nodes + 2) * kTurned + axes * (11 + 5 * nodes);
   }
   return flops + 80;  // rates, normalisation, frames
+}
+
+std::string words_of_free_rotation(const Plan& plan) {
+  constexpr const char* kSteps[] = {"order 3 (Bogacki-Shampine, 3 evaluations)",
+                                    "order 5 (Cash-Karp, 6 evaluations)",
+                                    "order 8 (Dormand-Prince, 12 evaluations)"};
+  const auto step = [&](int level) -> std::string {
+    return kSteps[static_cast<std::size_t>(order_of(level))];
+  };
+  std::string words =
+      "rx ry rz: coupled, explicit steps on the unit quaternion to an estimated "
+      "error of " +
+      format_number(plan.scene().tolerance_rad) + " rad a hold, " + step(plan.likely_level());
+  if (plan.coarsest_level() < 0)
+    words += " to begin with, as the estimate asks from " + step(plan.coarsest_level()) + " to " +
+             step(0);
+  return words + " in steps of a hold / 2^n; extrapolated implicit Euler if too stiff";
 }
 
 }  // namespace
@@ -99,12 +122,7 @@ std::vector<std::pair<std::string, std::string>> words_of(const Plan& plan) {
                              ": one fixed axis, closed-form exact step of the unwrapped "
                              "angle, error of rounding only");
       break;
-    case Plan::Rotations::three:
-      lines.emplace_back("rotation",
-                         "rx ry rz: coupled, Dormand-Prince 8(5,3) on the unit "
-                         "quaternion, steps of a hold / 2^n to an estimated error of " +
-                             format_number(scene.tolerance_rad) +
-                             " rad a hold; extrapolated implicit Euler if too stiff");
+    case Plan::Rotations::three: lines.emplace_back("rotation", words_of_free_rotation(plan));
   }
   std::string contacts;
   for (const auto& contact : scene.contacts) {

@@ -5,48 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "grasp_model/dormand_prince.hpp"
+#include "grasp_model/angle_ratio.hpp"
 #include "grasp_model/rotation.hpp"
 
 namespace isograsp::so3 {
-
-namespace {
-
-/// atan(sqrt(u)) / sqrt(u) on 0 <= u <= tan^2(22.5 deg): interpolated at the Chebyshev points of
-/// [0, 0.18], relative error 2e-18.
-constexpr std::array<double, 12> kAtan{
-    0.99999999999999999785,   -0.33333333333332988423,  0.19999999999908397494,
-    -0.14285714276163336721,  0.11111110595175503333,   -0.090908925875751227634,
-    0.076919713876241141661,  -0.066621225134109813804, 0.058409193896630637071,
-    -0.050085783940660889834, 0.03729948684921499417,   -0.017085141492542090346};
-constexpr double kAtanReach = 0.17157287525380990;  // tan^2(22.5 deg)
-
-double atan_ratio(double u) noexcept {
-  const auto& a = kAtan;
-  const double u2 = u * u;
-  const double u4 = u2 * u2;
-  const double low = (a[0] + a[1] * u) + u2 * (a[2] + a[3] * u);
-  const double middle = (a[4] + a[5] * u) + u2 * (a[6] + a[7] * u);
-  const double high = (a[8] + a[9] * u) + u2 * (a[10] + a[11] * u);
-  return low + u4 * (middle + u4 * high);
-}
-
-/// phi / v for q = (w, v), |v|^2 = s2: no transcendental function up to 90 degrees.
-double angle_ratio(double s2, double w) noexcept {
-  if (w > 0.0) {
-    if (s2 <= kAtanReach * (w * w)) {
-      const double inverse = 1.0 / w;
-      return 2.0 * inverse * atan_ratio(s2 * inverse * inverse);
-    }
-    const double inverse = 1.0 / (w + std::sqrt(s2 + w * w));  // of the half angle
-    const double u = s2 * inverse * inverse;
-    if (u <= kAtanReach) return 4.0 * inverse * atan_ratio(u);
-  }
-  const double s = std::sqrt(s2);
-  return s == 0.0 ? 2.0 / w : 2.0 * std::atan2(s, w) / s;
-}
-
-}  // namespace
 
 SpinVector pack(const Spin& spin) noexcept {
   SpinVector y;
@@ -97,74 +59,59 @@ double SpinRate::fastest(const SpinVector& y, double hold_s) const noexcept {
   return y.segment<3>(4).norm() + gained + own_rate_;
 }
 
-// Scalars, not vectors, on the way that every stage takes: a vector of three would be read in other
-// widths than it was written, which costs more than the arithmetic.
-[[gnu::always_inline]] inline void SpinRate::drive(const SpinVector& y, double& tx, double& ty,
-                                                   double& tz) const noexcept {
-  const double w = y[0];
-  const double vx = y[1];
-  const double vy = y[2];
-  const double vz = y[3];
-  tx = torques_.body.x();
-  ty = torques_.body.y();
-  tz = torques_.body.z();
+Vec3 SpinRate::held(const SpinVector& y) const noexcept {
+  Vec3 torque = torques_.body;
   if (world_) {  // R^T tau = tau - w t + v x t, t = 2 v x tau, for a unit quaternion
-    const Vec3& tau = torques_.world;
-    const double sx = 2.0 * (vy * tau.z() - vz * tau.y());
-    const double sy = 2.0 * (vz * tau.x() - vx * tau.z());
-    const double sz = 2.0 * (vx * tau.y() - vy * tau.x());
-    tx += (tau.x() - w * sx) + (vy * sz - vz * sy);
-    ty += (tau.y() - w * sy) + (vz * sx - vx * sz);
-    tz += (tau.z() - w * sz) + (vx * sy - vy * sx);
+    const Vec3 v = y.segment<3>(1);
+    const Vec3 t = 2.0 * v.cross(torques_.world);
+    torque += (torques_.world - y[0] * t) + v.cross(t);
   }
-  if (spring_) {
-    const double ratio = angle_ratio(vx * vx + vy * vy + vz * vz, w);
-    if (even_spring_) {
-      const double pull = body_.stiffness.x() * ratio;
-      tx -= pull * vx;
-      ty -= pull * vy;
-      tz -= pull * vz;
-    } else {
-      const Vec3 torque = spring_torque({ratio * vx, ratio * vy, ratio * vz}, body_.stiffness);
-      tx += torque.x();
-      ty += torque.y();
-      tz += torque.z();
-    }
-  }
-}
-
-Vec3 SpinRate::drive(const SpinVector& y) const noexcept {
-  Vec3 torque;
-  drive(y, torque.x(), torque.y(), torque.z());
   return torque;
 }
 
-inline SpinVector SpinRate::operator()(const SpinVector& y) const noexcept {
-  double tx = 0.0;
-  double ty = 0.0;
-  double tz = 0.0;
-  drive(y, tx, ty, tz);
-  double a = y[4];
-  double b = y[5];
-  double c = y[6];
-  if (massless_) {
-    const Vec3 w_O = settled({tx, ty, tz}, {a, b, c});
-    a = w_O.x();
-    b = w_O.y();
-    c = w_O.z();
+Vec3 SpinRate::drive(const SpinVector& y) const noexcept {
+  Vec3 torque = held(y);
+  if (spring_) {
+    const Vec3 v = y.segment<3>(1);
+    const double ratio = angle_ratio((v.x() * v.x() + v.y() * v.y()) + v.z() * v.z(), y[0]);
+    if (even_spring_)
+      torque -= (body_.stiffness.x() * ratio) * v;
+    else
+      torque += spring_torque(ratio * v, body_.stiffness);
   }
-  const Vec3& I = body_.inertia_kg_m2;
-  const Vec3& damping = body_.damping;
-  SpinVector rate;
-  rate[0] = -0.5 * (y[1] * a + y[2] * b + y[3] * c);
-  rate[1] = 0.5 * (y[0] * a + y[2] * c - y[3] * b);
-  rate[2] = 0.5 * (y[0] * b + y[3] * a - y[1] * c);
-  rate[3] = 0.5 * (y[0] * c + y[1] * b - y[2] * a);
-  rate[4] = inverse_inertia_.x() * (tx - damping.x() * a - (I.z() - I.y()) * b * c);
-  rate[5] = inverse_inertia_.y() * (ty - damping.y() * b - (I.x() - I.z()) * c * a);
-  rate[6] = inverse_inertia_.z() * (tz - damping.z() * c - (I.y() - I.x()) * a * b);
-  rate[7] = 0.0;
-  return rate;
+  return torque;
+}
+
+double SpinRate::power(const SpinVector& y) const noexcept {
+  return held(y).dot(y.segment<3>(4));
+}
+
+double SpinRate::energy(const SpinVector& y) const noexcept {
+  const Vec3 w_O = y.segment<3>(4);
+  double twice_J = w_O.dot(body_.inertia_kg_m2.cwiseProduct(w_O));
+  if (spring_) {
+    const Vec3 v = y.segment<3>(1);
+    const Vec3 phi = angle_ratio(v.squaredNorm(), y[0]) * v;
+    twice_J += phi.dot(body_.stiffness.cwiseProduct(phi));
+  }
+  return 0.5 * twice_J;
+}
+
+double SpinRate::limit_energy(double most_J, SpinVector& y) const noexcept {
+  const double all_J = energy(y);
+  if (all_J <= most_J) return 0.0;
+  const Vec3 w_O = y.segment<3>(4);
+  const double moving_J = 0.5 * w_O.dot(body_.inertia_kg_m2.cwiseProduct(w_O));
+  const double spring_J = all_J - moving_J;
+  if (spring_J <= most_J) {
+    y.segment<3>(4) *= std::sqrt(std::max(0.0, most_J - spring_J) / moving_J);
+    return 0.0;
+  }
+  // The energy of the spring is a quadratic form of the rotation vector.
+  const Vec3 phi = log(Quat(y[0], y[1], y[2], y[3]));
+  const double kept = std::sqrt(std::max(0.0, most_J) / spring_J);
+  y = pack({exp(kept * phi), Vec3::Zero()});
+  return (1.0 - kept) * phi.norm();
 }
 
 Vec3 SpinRate::settled(const Vec3& driving, Vec3 w_O) const noexcept {
@@ -194,29 +141,6 @@ bool SpinRate::too_fast(const SpinVector& y, double step_s, double hold_s) const
       return true;
   }
   return false;
-}
-
-SpinStep explicit_step(const SpinRate& rate, const SpinVector& start, double h_s,
-                       StageStates* seen) noexcept {
-  std::array<SpinVector, 12> k;
-  if (seen == nullptr)
-    dormand_prince::stages(
-        start, h_s, [&](std::size_t, const SpinVector& y) { return rate(y); }, k);
-  else
-    dormand_prince::stages(
-        start, h_s,
-        [&](std::size_t i, const SpinVector& y) {
-          (*seen)[i] = y;
-          return rate(y);
-        },
-        k);
-  SpinStep step;
-  step.end = start + h_s * dormand_prince::increment(k);
-  const double error5 = angle_of(dormand_prince::error5(k));
-  const double error3 = angle_of(dormand_prince::error3(k));
-  const double both = error5 * error5 + 0.01 * error3 * error3;
-  step.error_rad = both == 0.0 ? 0.0 : h_s * error5 * error5 / std::sqrt(both);
-  return step;
 }
 
 }  // namespace isograsp::so3

@@ -5,6 +5,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <limits>
 
 #include "core/spatial.hpp"
 
@@ -30,7 +32,8 @@ struct Spin {
   Vec3 w_O = Vec3::Zero();
 };
 
-/// The state as the integrators see it: q as w x y z, w_O, 0. Off the unit sphere the equations are
+/// The state as the integrators see it: q as w x y z, w_O, and the work of the torques since the
+/// beginning of the hold [J] if it is counted, else 0. Off the unit sphere the equations are
 /// continued smoothly, so q is normalised at the end of a hold only.
 using SpinVector = Eigen::Matrix<double, 8, 1>;
 
@@ -40,7 +43,9 @@ class SpinRate {
   SpinRate() = default;
   explicit SpinRate(const Body& body) noexcept;
   void load(const Torques& torques) noexcept;
-  [[nodiscard]] SpinVector operator()(const SpinVector& y) const noexcept;
+  /// Steps count the work of the torques and look out for a cheaper order.
+  void watch() noexcept { watched_ = true; }
+  [[nodiscard]] bool watched() const noexcept { return watched_; }
 
   /// Sets the velocity of massless axes to that at which their damper balances all other torques.
   void settle(SpinVector& y) const noexcept;
@@ -56,9 +61,17 @@ class SpinRate {
   [[nodiscard]] bool too_fast(const SpinVector& y, double step_s, double hold_s) const noexcept;
   /// Torque of all but damper and gyroscopic term [N m].
   [[nodiscard]] Vec3 drive(const SpinVector& y) const noexcept;
+  /// Rate at which the torques that are constant in the hold do work [W].
+  [[nodiscard]] double power(const SpinVector& y) const noexcept;
+  /// Of the turning body and its spring [J].
+  [[nodiscard]] double energy(const SpinVector& y) const noexcept;
+  /// Takes from the end of a hold what it has more than `most_J`: from the speed, or, at rest, from
+  /// the turn of the spring. @return the angle that this turned the body [rad]
+  double limit_energy(double most_J, SpinVector& y) const noexcept;
 
  private:
-  void drive(const SpinVector& y, double& tx, double& ty, double& tz) const noexcept;
+  friend class ExplicitRate;
+  [[nodiscard]] Vec3 held(const SpinVector& y) const noexcept;
   [[nodiscard]] Vec3 settled(const Vec3& driving, Vec3 w_O) const noexcept;
 
   Body body_;
@@ -70,6 +83,7 @@ class SpinRate {
   bool spring_ = false;
   bool even_spring_ = false;  ///< the same stiffness on all axes
   bool world_ = false;
+  bool watched_ = false;
 };
 
 /// A difference of attitudes as the angle it means [rad].
@@ -80,20 +94,38 @@ class SpinRate {
 [[nodiscard]] SpinVector pack(const Spin& spin) noexcept;
 [[nodiscard]] Spin unpack(const SpinVector& y) noexcept;
 
+/// Explicit Runge-Kutta steps by their order: what a coarser answer costs less.
+enum class Order : std::uint8_t {
+  third,   ///< Bogacki-Shampine 3(2), 3 evaluations
+  fifth,   ///< Cash-Karp 5(4), 6 evaluations
+  eighth,  ///< Dormand-Prince 8(5,3), 12 evaluations
+};
+/// Of the right-hand side in one step.
+[[nodiscard]] int evaluations(Order order) noexcept;
+/// A step is stable up to this turn of the fastest rate [rad].
+[[nodiscard]] double stable_rad(Order order) noexcept;
+/// What one step of this order errs by, about, if the fastest rate turns `turn_rad` in it [rad].
+[[nodiscard]] double typical_error_rad(Order order, double turn_rad) noexcept;
+
+/// The true error of an explicit step's attitude is at most this many times the estimate, while the
+/// fastest rate turns no more than stable_rad().
+[[nodiscard]] double estimate_factor(Order order) noexcept;
+
 /// End of a step and the estimate of its error [rad].
 struct SpinStep {
   SpinVector end;
   double error_rad = 0.0;
+  /// What the next lower order would have estimated, if the rate is watched and there is one.
+  double coarser_rad = std::numeric_limits<double>::infinity();
 };
 
-/// States at the stages of the explicit step: dormand_prince::kWeighted of them are the nodes of a
-/// quadrature of order 8 along the motion.
+/// States at the stages of an explicit step; those of follow.hpp's stage_nodes() are the nodes of a
+/// quadrature of the same order along the motion.
 using StageStates = std::array<SpinVector, 12>;
 
-/// Dormand-Prince 8(5,3), explicit, 12 evaluations. `seen`: the states at its stages, if wanted.
-/// Real-time safe.
-[[nodiscard]] SpinStep explicit_step(const SpinRate& rate, const SpinVector& start, double h_s,
-                                     StageStates* seen) noexcept;
+/// One explicit step. `seen`: the states at its stages, if wanted. Real-time safe.
+[[nodiscard]] SpinStep explicit_step(Order order, const SpinRate& rate, const SpinVector& start,
+                                     double h_s, StageStates* seen) noexcept;
 /// The state between the ends of a step at `share` of it: the cubic in the Lie algebra that fits
 /// both velocities. Real-time safe.
 [[nodiscard]] SpinVector between(const SpinVector& start, const SpinVector& end, double h_s,

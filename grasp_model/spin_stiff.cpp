@@ -38,7 +38,9 @@ SpinVector implicit_euler(const SpinRate& rate, const SpinVector& y, double h_s)
   const Vec3 right = momentum + h_s * (rate.drive(y) - w_O.cross(momentum) + gyroscopic * w_O);
   const Vec3 w_end = matrix.inverse() * right;
   const Quat q_end = Quat(y[0], y[1], y[2], y[3]) * exp(h_s * w_end);
-  return pack({q_end, w_end});
+  SpinVector end = pack({q_end, w_end});
+  if (rate.watched()) end[7] = y[7] + h_s * rate.power(end);
+  return end;
 }
 
 }  // namespace

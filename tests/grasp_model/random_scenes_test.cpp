@@ -206,11 +206,13 @@ struct Worst {
 constexpr int kFrames = 125;
 constexpr double kHold_s = 0.01;
 
-Worst compare(Turning turning, WrenchFrame frame, int scenes, std::uint64_t seed) {
+Worst compare(Turning turning, WrenchFrame frame, int scenes, std::uint64_t seed,
+              double tolerance_rad = Scene{}.tolerance_rad) {
   Dice dice(seed);
   Worst worst;
   for (int i = 0; i < scenes; ++i) {
-    const Scene scene = random_scene(dice, turning, frame);
+    Scene scene = random_scene(dice, turning, frame);
+    scene.tolerance_rad = tolerance_rad;
     const Plan plan = test::plan_of(scene, kHold_s);
     ObjectState state = plan.initial_state();
     Reference reference(scene);
@@ -267,6 +269,16 @@ TEST(RandomScenes, ThreeRotationsAndAForceThatTurnsWithThemFollowTheEquations) {
   EXPECT_LE(worst.position, kSummed_rad);  // a wrong angle is a wrong force
   EXPECT_LE(worst.angle_rad, kSummed_rad);
   EXPECT_EQ(worst.exceeded, 0);
+}
+
+TEST(RandomScenes, AtCoarserTolerancesErrorsStayWithinThemAddedUp) {
+  for (const WrenchFrame frame : {WrenchFrame::hand, WrenchFrame::object})
+    for (const double tolerance_rad : {1e-8, 1e-6, 1e-4, 1e-3}) {
+      const Worst worst = compare(Turning::three, frame, 40, 6, tolerance_rad);
+      EXPECT_LE(worst.position, kFrames * tolerance_rad);
+      EXPECT_LE(worst.angle_rad, kFrames * tolerance_rad);
+      EXPECT_EQ(worst.exceeded, 0);
+    }
 }
 
 }  // namespace

@@ -31,6 +31,40 @@ Result<void> log_in_to(storage::Access& access, const LoginOptions& options) {
   return access.log_in(options.user, *password);
 }
 
+Result<std::unique_ptr<storage::Access>> logged_in(Result<std::unique_ptr<storage::Access>> access,
+                                                   const std::string& database,
+                                                   const LoginOptions& options) {
+  if (!access) return access.error();
+  const bool asks = (*access)->is_protected();
+  if (asks && !options.given())
+    return refused("is protected"_text,
+                   "give --passphrase-file, or --user and --password-file"_text)
+        .at(database);
+  if (!asks && options.given())
+    return refused("is not protected: it asks for no login"_text, "leave the login out"_text)
+        .at(database);
+  if (asks)
+    if (const auto done = log_in_to(**access, options); !done) return done.error();
+  return access;
+}
+
+using Open = Result<std::unique_ptr<storage::Access>> (*)(const std::string&);
+
+Result<std::unique_ptr<storage::Access>> log_in_if_asked(const std::string& database,
+                                                         const LoginOptions& options, Open open) {
+  if (storage::is_protected_database(database)) return logged_in(open(database), database, options);
+  std::error_code ignored;
+  if (options.given())
+    return refused(std::filesystem::exists(database, ignored)
+                       ? "is not protected: it asks for no login"_text
+                       : "does not exist, and is not made with protection here"_text,
+                   std::filesystem::exists(database, ignored)
+                       ? "leave the login out, or check the name of the file"_text
+                       : "make it with isograsp db init --protected"_text)
+        .at(database);
+  return std::unique_ptr<storage::Access>();
+}
+
 }  // namespace
 
 void LoginOptions::add_to(Subcommand command) {
@@ -49,34 +83,18 @@ bool LoginOptions::given() const noexcept {
 
 Result<std::unique_ptr<storage::Access>> log_in(const std::string& database,
                                                 const LoginOptions& options) {
-  if (storage::is_protected_database(database)) return open_access(database, options);
-  std::error_code ignored;
-  if (options.given())
-    return refused(std::filesystem::exists(database, ignored)
-                       ? "is not protected: it asks for no login"_text
-                       : "does not exist, and is not made with protection here"_text,
-                   std::filesystem::exists(database, ignored)
-                       ? "leave the login out, or check the name of the file"_text
-                       : "make it with isograsp db init --protected"_text)
-        .at(database);
-  return std::unique_ptr<storage::Access>();
+  return log_in_if_asked(database, options,
+                         [](const std::string& file) { return storage::Access::open(file); });
+}
+
+Result<std::unique_ptr<storage::Access>> log_in_to_migrate(const std::string& database,
+                                                           const LoginOptions& options) {
+  return log_in_if_asked(database, options, storage::Access::open_to_migrate);
 }
 
 Result<std::unique_ptr<storage::Access>> open_access(const std::string& database,
                                                      const LoginOptions& options) {
-  auto access = storage::Access::open(database);
-  if (!access) return access.error();
-  const bool asks = (*access)->is_protected();
-  if (asks && !options.given())
-    return refused("is protected"_text,
-                   "give --passphrase-file, or --user and --password-file"_text)
-        .at(database);
-  if (!asks && options.given())
-    return refused("is not protected: it asks for no login"_text, "leave the login out"_text)
-        .at(database);
-  if (asks)
-    if (const auto done = log_in_to(**access, options); !done) return done.error();
-  return access;
+  return logged_in(storage::Access::open(database), database, options);
 }
 
 }  // namespace isograsp::app

@@ -26,6 +26,9 @@ struct LoginOptions {
 /// exist yet. Refused: a protected one without a login, a login where none is asked for.
 [[nodiscard]] Result<std::unique_ptr<storage::Access>> log_in(const std::string& database,
                                                               const LoginOptions& options);
+/// The same for a file of any format that is to be migrated.
+[[nodiscard]] Result<std::unique_ptr<storage::Access>> log_in_to_migrate(
+    const std::string& database, const LoginOptions& options);
 /// The same for commands that are about access itself: the database must exist and be of the
 /// current format.
 [[nodiscard]] Result<std::unique_ptr<storage::Access>> open_access(const std::string& database,

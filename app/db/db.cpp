@@ -240,7 +240,7 @@ Result<void> merge(const DbOptions& options) {
 }
 
 Result<void> migrate(const DbOptions& options) {
-  const auto access = log_in(options.file, options.login);
+  const auto access = log_in_to_migrate(options.file, options.login);
   if (!access) return access.error();
   const auto done = storage::migrate_database(options.file);
   if (!done) return done.error();

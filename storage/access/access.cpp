@@ -29,7 +29,8 @@ std::int64_t seconds_to_wait(const KeySlot& slot, std::int64_t now) {
 }
 
 /// Login failures from before a key was there become part of the chain.
-void take_in_failures(soci::session& sql, const LoginState& state) {
+void take_in_failures(Database& database, const LoginState& state) {
+  soci::session& sql = database.sql();
   std::vector<AuditEntry> failures;
   AuditEntry one = entry_of("login", "");
   one.role = "nobody";
@@ -39,7 +40,7 @@ void take_in_failures(soci::session& sql, const LoginState& state) {
                             soci::into(one.at_utc), soci::into(one.object));
   select.execute();
   while (select.fetch()) failures.push_back(one);
-  for (const AuditEntry& failure : failures) (void)append_audit(sql, state, failure);
+  for (const AuditEntry& failure : failures) (void)append_audit(database, state, failure);
   sql << "DELETE FROM login_failures";
 }
 
@@ -96,7 +97,7 @@ Result<void> open_for(Access::Parts& parts, SlotOwner owner, const Secret& passw
           soci::use(slot->id);
       if (owner.kind == SlotKind::user)
         sql << "UPDATE users SET pin_failed_count = 0 WHERE id = :id", soci::use(owner.user.id);
-      take_in_failures(sql, *parts.login);
+      take_in_failures(parts.database, *parts.login);
     });
   });
   if (!logged) parts.login->set(before);
@@ -120,24 +121,31 @@ std::int64_t delay_after(int wrong_passwords) noexcept {
 Access::Access() = default;
 Access::~Access() = default;
 
-Result<std::unique_ptr<Access>> Access::open(const std::string& database, UtcClock clock) {
+Result<std::unique_ptr<Access>> Access::with(Database opened, UtcClock clock, bool writable) {
   if (!clock) clock = [] { return static_cast<std::int64_t>(std::time(nullptr)); };
-  const auto with = [&clock](Database opened, bool writable) -> Result<std::unique_ptr<Access>> {
-    std::shared_ptr<LoginState> state;
-    const auto read = opened.guard("opening"_text, [&] { state = login_state_of(opened); });
-    if (!read) return read.error();
-    auto access = std::unique_ptr<Access>(new Access);
-    access->parts_ =
-        std::make_unique<Parts>(std::move(opened), std::move(state), std::move(clock), writable);
-    return access;
-  };
+  std::shared_ptr<LoginState> state;
+  const auto read = opened.guard("opening"_text, [&] { state = login_state_of(opened); });
+  if (!read) return read.error();
+  auto access = std::unique_ptr<Access>(new Access);
+  access->parts_ =
+      std::make_unique<Parts>(std::move(opened), std::move(state), std::move(clock), writable);
+  return access;
+}
+
+Result<std::unique_ptr<Access>> Access::open(const std::string& database, UtcClock clock) {
   auto opened = Database::open(database, OpenMode::existing);
-  if (opened) return with(*std::move(opened), true);
+  if (opened) return with(*std::move(opened), std::move(clock), true);
   // Another program has it locked, or it is damaged: not the same as a file that is only read.
   if (may_be_written(database)) return opened.error();
   auto reading = Database::open(database, OpenMode::read_only);
   if (!reading || reading->format() != kDatabaseFormat) return opened.error();
-  return with(*std::move(reading), false);
+  return with(*std::move(reading), std::move(clock), false);
+}
+
+Result<std::unique_ptr<Access>> Access::open_to_migrate(const std::string& database) {
+  auto opened = Database::open(database, OpenMode::read_only);
+  if (!opened) return opened.error();
+  return with(*std::move(opened), {}, false);
 }
 
 Result<Access::Protected> Access::create(const std::string& database, const Secret& passphrase,
@@ -155,8 +163,11 @@ Result<Access::Protected> Access::create(const std::string& database, const Secr
     auto file = Database::open(part, OpenMode::create);
     if (!file) return file.error();
     return file->transact("protecting the database"_text, [&] {
-      (void)write_first_slots(file->sql(), login_state_of(*file)->database_id(), passphrase,
-                              recovery_key, cost != nullptr ? *cost : KeyCost{});
+      const Keys keys =
+          write_first_slots(file->sql(), login_state_of(*file)->database_id(), passphrase,
+                            recovery_key, cost != nullptr ? *cost : KeyCost{});
+      file->seals()->key_from([&keys] { return &keys.audit; });
+      file->seals()->seal_all();
     });
   }();
   if (!made) {

@@ -19,6 +19,7 @@
 
 namespace isograsp::storage {
 
+class Database;
 struct KeyCost;
 
 enum class Role : std::uint8_t { therapist, researcher, administrator };
@@ -68,6 +69,8 @@ class Access {
   /// what cannot be logged is not shown.
   [[nodiscard]] static Result<std::unique_ptr<Access>> open(const std::string& database,
                                                             UtcClock clock = {});
+  /// For the login before a migration: a file of an older format, which is only read.
+  [[nodiscard]] static Result<std::unique_ptr<Access>> open_to_migrate(const std::string& database);
   struct Protected {
     std::unique_ptr<Access> access;  ///< logged in as the clinic's passphrase
     Secret recovery_key;             ///< to be printed once; kept nowhere
@@ -120,6 +123,8 @@ class Access {
 
  private:
   Access();
+  [[nodiscard]] static Result<std::unique_ptr<Access>> with(Database opened, UtcClock clock,
+                                                            bool writable);
   std::unique_ptr<Parts> parts_;
 };
 

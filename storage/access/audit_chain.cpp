@@ -19,9 +19,10 @@ std::string first_hash(const Secret* key, const std::string& database_id) {
   return Digest(key).add("IsoGrasp audit log 1").add(database_id).hex();
 }
 
-std::string entry_hash(const Secret* key, const std::string& before, const AuditEntry& entry) {
-  return Digest(key)
-      .add(before)
+std::string entry_hash(const Secret* key, const std::string& before, const AuditEntry& entry,
+                       const std::string& seal_chain) {
+  Digest whole(key);
+  whole.add(before)
       .add(entry.number)
       .add(entry.at_utc)
       .add(entry.actor)
@@ -29,8 +30,9 @@ std::string entry_hash(const Secret* key, const std::string& before, const Audit
       .add(entry.act)
       .add(entry.object)
       .add(entry.result)
-      .add(entry.detail)
-      .hex();
+      .add(entry.detail);
+  if (entry.seals > 0) whole.add(entry.seals).add(seal_chain);  // none: older formats
+  return whole.hex();
 }
 
 std::string head_proof(const Secret* key, const std::string& database_id, const AuditHead& head) {
@@ -42,7 +44,8 @@ std::string head_proof(const Secret* key, const std::string& database_id, const 
       .hex();
 }
 
-AuditHead append_audit(soci::session& sql, const LoginState& state, AuditEntry entry) {
+AuditHead append_audit(Database& database, const LoginState& state, AuditEntry entry) {
+  soci::session& sql = database.sql();
   const Login login = state.login();
   const Secret* const key = audit_key(login);
   if (state.is_protected() && key == nullptr)
@@ -62,14 +65,18 @@ AuditHead append_audit(soci::session& sql, const LoginState& state, AuditEntry e
   sql << "SELECT coalesce(max(id), 0) FROM audit_log", soci::into(last);
   head.count = std::max(count, last) + 1;
   entry.number = head.count;
-  entry.hash = entry_hash(key, head.hash, entry);
+  database.seal_rows();
+  const SealHead seals = seal_head(sql);
+  entry.seals = seals.count;
+  entry.hash = entry_hash(key, head.hash, entry, seals.chain);
   head.hash = entry.hash;
   const std::string proof = head_proof(key, state.database_id(), head);
-  sql << "INSERT INTO audit_log (id, at_utc, actor, role, act, object, result, detail, hash) "
-         "VALUES (:id, :at, :actor, :role, :act, :object, :result, :detail, :hash)",
+  sql << "INSERT INTO audit_log (id, at_utc, actor, role, act, object, result, detail, hash, "
+         "seals) "
+         "VALUES (:id, :at, :actor, :role, :act, :object, :result, :detail, :hash, :seals)",
       soci::use(entry.number), soci::use(entry.at_utc), soci::use(entry.actor),
       soci::use(entry.role), soci::use(entry.act), soci::use(entry.object), soci::use(entry.result),
-      soci::use(entry.detail), soci::use(entry.hash);
+      soci::use(entry.detail), soci::use(entry.hash), soci::use(entry.seals);
   sql << "INSERT INTO audit_anchor (id, count, hash, proof) VALUES (1, :count, :hash, :proof) "
          "ON CONFLICT (id) DO UPDATE SET count = excluded.count, hash = excluded.hash, "
          "proof = excluded.proof",

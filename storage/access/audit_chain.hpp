@@ -20,15 +20,16 @@ inline constexpr const char* kProtectAct = "protect";
 [[nodiscard]] const Secret* audit_key(const Login& login);
 /// What stands before the first entry.
 [[nodiscard]] std::string first_hash(const Secret* key, const std::string& database_id);
+/// `seal_chain`: of the last seal that the entry holds (SealHead).
 [[nodiscard]] std::string entry_hash(const Secret* key, const std::string& before,
-                                     const AuditEntry& entry);
+                                     const AuditEntry& entry, const std::string& seal_chain);
 /// States how far the log had come; only a holder of the key can make it.
 [[nodiscard]] std::string head_proof(const Secret* key, const std::string& database_id,
                                      const AuditHead& head);
 
-/// Adds an entry by who is logged in; number, time (if empty) and hash are set here. Inside a
-/// transaction; throws as SOCI does.
-AuditHead append_audit(soci::session& sql, const LoginState& state, AuditEntry entry);
+/// Adds an entry by who is logged in, which holds the seals of all rows that were changed so far;
+/// number, time (if empty), seals and hash are set here. Inside a transaction; throws as SOCI does.
+AuditHead append_audit(Database& database, const LoginState& state, AuditEntry entry);
 /// Beside the file (FILE-audit), where protected: a file put back to an earlier state is noticed by
 /// it. A file that does not fit the log is left as it is: it is evidence. Problems are ignored (the
 /// entry itself is stored).
@@ -44,14 +45,14 @@ auto audited(Database& database, const LoginState& state, AuditEntry& entry, Wor
   auto done = [&] {
     const AlsoBeforeCommit also(database, [&] {
       if (complete) complete(entry);
-      head = append_audit(database.sql(), state, entry);
+      head = append_audit(database, state, entry);
     });
     return work();
   }();
   if (!done) {
     entry.result = done.error().code == Error::Code::bad_input ? "refused" : "failed";
-    const auto logged = database.transact(
-        "writing the audit log"_text, [&] { head = append_audit(database.sql(), state, entry); });
+    const auto logged = database.transact("writing the audit log"_text,
+                                          [&] { head = append_audit(database, state, entry); });
     if (!logged) return done;
   }
   note_head(database, state, head);

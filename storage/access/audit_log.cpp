@@ -8,6 +8,7 @@
 #include "storage/access/audit_chain.hpp"
 #include "storage/access/audit_check.hpp"
 #include "storage/access/audit_head_file.hpp"
+#include "storage/file/schema_access.hpp"
 #include "storage/records/patient_code.hpp"
 #include "storage/records/session_store.hpp"
 
@@ -15,17 +16,27 @@ namespace isograsp::storage {
 
 namespace {
 
-std::vector<AuditEntry> read_entries(soci::session& sql) {
+/// `chains`: of the seals that the entries hold, one an entry.
+std::vector<AuditEntry> read_entries(soci::session& sql, bool with_seals,
+                                     std::vector<std::string>* chains = nullptr) {
   std::vector<AuditEntry> all;
   AuditEntry one;
+  std::string chain;
+  const std::string query =
+      std::string("SELECT a.id, at_utc, actor, role, act, object, result, detail, a.hash, ") +
+      (with_seals ? "seals, coalesce(lower(hex(s.chain)), '') FROM audit_log a "
+                    "LEFT JOIN row_seals s ON s.id = a.seals"
+                  : "0, '' FROM audit_log a") +
+      " ORDER BY a.id";
   soci::statement select =
-      (sql.prepare << "SELECT id, at_utc, actor, role, act, object, result, detail, hash "
-                      "FROM audit_log ORDER BY id",
-       soci::into(one.number), soci::into(one.at_utc), soci::into(one.actor), soci::into(one.role),
-       soci::into(one.act), soci::into(one.object), soci::into(one.result), soci::into(one.detail),
-       soci::into(one.hash));
+      (sql.prepare << query, soci::into(one.number), soci::into(one.at_utc), soci::into(one.actor),
+       soci::into(one.role), soci::into(one.act), soci::into(one.object), soci::into(one.result),
+       soci::into(one.detail), soci::into(one.hash), soci::into(one.seals), soci::into(chain));
   select.execute();
-  while (select.fetch()) all.push_back(one);
+  while (select.fetch()) {
+    all.push_back(one);
+    if (chains != nullptr) chains->push_back(chain);
+  }
   return all;
 }
 
@@ -46,13 +57,16 @@ Result<std::vector<Text>> audit_problems(Database& database, const LoginState& s
   // First: a log that grows meanwhile is longer than this file says, never shorter.
   const HeadFile file = read_head_file(database.real_path(), key, state.database_id());
   std::vector<AuditEntry> entries;
+  std::vector<std::string> chains;
   AuditHead anchor;
   std::string proof;
   bool anchored = false;
+  int others = 0;
   const auto read = database.snapshot("checking the audit log"_text, [&] {
-    entries = read_entries(database.sql());
+    entries = read_entries(database.sql(), database.format() >= schema::kSealFormat, &chains);
     long long count = 0;
-    database.sql() << "SELECT count, hash, proof FROM audit_anchor", soci::into(count),
+    database.sql() << "SELECT count(*) FROM audit_anchor WHERE id <> 1", soci::into(others);
+    database.sql() << "SELECT count, hash, proof FROM audit_anchor WHERE id = 1", soci::into(count),
         soci::into(anchor.hash), soci::into(proof);
     anchored = database.sql().got_data();
     anchor.count = count;
@@ -68,7 +82,7 @@ Result<std::vector<Text>> audit_problems(Database& database, const LoginState& s
     if (entry.number != expected)
       problems.push_back(
           "audit log: entries %1 to %2 are missing"_text(expected, entry.number - 1));
-    else if (entry_hash(key_then, before, entry) != entry.hash)
+    else if (entry_hash(key_then, before, entry, chains[i]) != entry.hash)
       problems.push_back(
           "audit log: entry %1 or what stood before it was changed"_text(entry.number));
     before = entry.hash;
@@ -76,6 +90,7 @@ Result<std::vector<Text>> audit_problems(Database& database, const LoginState& s
   }
   const std::int64_t last = entries.empty() ? 0 : entries.back().number;
   if (!anchored && !entries.empty()) problems.push_back("audit log: its anchor is missing"_text);
+  if (others > 0) problems.push_back("audit log: its anchor is there more than once"_text);
   if (anchored && proof != head_proof(key, state.database_id(), anchor))
     problems.push_back("audit log: its anchor was changed"_text);
   else if (anchored && (anchor.count != last || anchor.hash != before))
@@ -107,7 +122,7 @@ Result<std::vector<AuditEntry>> read_audit(Access& access, const AuditFilter& fi
   const std::lock_guard lock(parts.mutex);
   std::vector<AuditEntry> all;
   const auto done = parts.database.guard("reading the audit log"_text, [&] {
-    for (AuditEntry& entry : read_entries(parts.database.sql()))
+    for (AuditEntry& entry : read_entries(parts.database.sql(), true))
       if ((filter.act.empty() || entry.act == filter.act) &&
           (filter.object.empty() || entry.object == filter.object))
         all.push_back(std::move(entry));

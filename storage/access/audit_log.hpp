@@ -18,11 +18,12 @@ struct AuditEntry {
   std::string at_utc;       ///< ISO 8601
   std::string actor;        ///< name of the account; empty: not protected
   std::string role;
-  std::string act;     ///< "login", "read identity", "add patient", … (docs/file_formats.md)
-  std::string object;  ///< a patient's code, a user's name, the name of a file
-  std::string result;  ///< "done", "refused", "failed"
-  std::string detail;  ///< numbers, roles, reasons given
-  std::string hash;    ///< 64 hexadecimal digits
+  std::string act;         ///< "login", "read identity", "add patient", … (docs/file_formats.md)
+  std::string object;      ///< a patient's code, a user's name, the name of a file
+  std::string result;      ///< "done", "refused", "failed"
+  std::string detail;      ///< numbers, roles, reasons given
+  std::string hash;        ///< 64 hexadecimal digits
+  std::int64_t seals = 0;  ///< rows of row_seals when it was written; the entry holds their chain
 };
 
 /// How far a log has come. Noted elsewhere (a printout, another medium), it proves later that

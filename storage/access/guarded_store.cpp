@@ -155,7 +155,7 @@ Result<bool> GuardedStore::add_newer_measures(RowId patient, std::span<const Sco
     if (added.results == 0) return;
     entry.detail =
         std::to_string(added.results) + " results of " + std::to_string(added.trials) + " trials";
-    head = append_audit(database().sql(), *state_, entry);
+    head = append_audit(database(), *state_, entry);
   });
   if (done && *done) note_head(database(), *state_, head);
   return done;
@@ -317,6 +317,11 @@ Result<std::vector<Text>> GuardedStore::check() {
   const auto of_log = audit_problems(database(), *state_);
   if (!of_log) return of_log.error();
   problems->insert(problems->end(), of_log->begin(), of_log->end());
+  if (database().format() < schema::kSealFormat) return problems;
+  const Login login = state_->login();
+  const auto of_rows = seal_problems(database(), audit_key(login));
+  if (!of_rows) return of_rows.error();
+  problems->insert(problems->end(), of_rows->begin(), of_rows->end());
   return problems;
 }
 

@@ -76,7 +76,18 @@ std::shared_ptr<LoginState> login_state_of(Database& database) {
   int slots = 0;
   database.sql() << "SELECT database_id, (SELECT count(*) FROM key_slots) FROM access_settings",
       soci::into(id), soci::into(slots);
-  return LoginState::of(id, slots > 0);
+  auto state = LoginState::of(id, slots > 0);
+  seal_with_keys_of(state, database);
+  return state;
+}
+
+void seal_with_keys_of(const std::shared_ptr<LoginState>& state, Database& database) {
+  if (database.seals() == nullptr) return;
+  // Kept for as long as the caller looks at it: another thread may log out.
+  database.seals()->key_from([state, keys = std::shared_ptr<const Keys>()]() mutable {
+    keys = state->login().keys;
+    return keys ? &keys->audit : nullptr;
+  });
 }
 
 Error refusal_of(const LoginState& state, Right right, const std::string& path) {

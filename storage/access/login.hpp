@@ -45,8 +45,12 @@ class LoginState {
   Login login_;
 };
 
-/// Reads the identity of the file; in a guard of the caller. Files of older formats: not protected.
+/// Reads the identity of the file, whose rows are then sealed with its keys; in a guard of the
+/// caller. Files of older formats: not protected.
 [[nodiscard]] std::shared_ptr<LoginState> login_state_of(Database& database);
+
+/// Rows that are written through `database` are sealed with the key of whoever is logged in then.
+void seal_with_keys_of(const std::shared_ptr<LoginState>& state, Database& database);
 
 /// Why `right` is not there now, and what to do.
 [[nodiscard]] Error refusal_of(const LoginState& state, Right right, const std::string& path);

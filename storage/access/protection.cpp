@@ -91,8 +91,10 @@ Result<Protection> sweep_again(const std::string& database, const Secret& passph
 }
 
 /// Keys, sealed texts and the entry, or nothing.
-Result<AuditHead> seal_all(Database& database, LoginState& state, const Secret& passphrase,
-                           const Secret& recovery_key, const KeyCost& cost) {
+Result<AuditHead> seal_all(Database& database, const std::shared_ptr<LoginState>& shared,
+                           const Secret& passphrase, const Secret& recovery_key,
+                           const KeyCost& cost) {
+  LoginState& state = *shared;
   AuditHead head;
   const auto done = database.transact("protecting the database"_text, [&] {
     soci::session& sql = database.sql();
@@ -100,10 +102,12 @@ Result<AuditHead> seal_all(Database& database, LoginState& state, const Secret& 
     Keys keys = write_first_slots(sql, id, passphrase, recovery_key, cost);
     state.set({std::make_shared<const Keys>(std::move(keys)),
                holder_of(id, SlotKind::passphrase).user, false});
+    seal_with_keys_of(shared, database);
     int texts = 0;
     for (const char* column : sealed_column::kAll) texts += seal_column(sql, state, column);
     const std::string name = std::filesystem::path(database.real_path()).filename();
-    head = append_audit(sql, state,
+    database.seals()->seal_all();
+    head = append_audit(database, state,
                         entry_of(kProtectAct, name, std::to_string(texts) + " texts sealed"));
   });
   if (done) return head;
@@ -139,7 +143,7 @@ Result<Protection> protect_database(const std::string& database, const Secret& p
         protection.remains = remains_of(opened->sql(), "", "", utc_text(std::time(nullptr)));
       });
     }();
-    const auto head = prepared ? seal_all(*opened, *state, passphrase, protection.recovery_key,
+    const auto head = prepared ? seal_all(*opened, state, passphrase, protection.recovery_key,
                                           cost != nullptr ? *cost : KeyCost{})
                                : Result<AuditHead>(prepared.error());
     if (!head) {

@@ -122,6 +122,22 @@ Result<void> check_mergeable(const std::string& path, OpenMode how) {
   return {};
 }
 
+/// Nothing that was changed by another hand is taken in, or gets a new seal.
+Result<void> prove(const std::string& path) {
+  auto database = Database::open(path, OpenMode::read_only);
+  if (!database) return database.error();
+  std::shared_ptr<LoginState> state;
+  const auto read = database->guard("opening"_text, [&] { state = login_state_of(*database); });
+  if (!read) return read.error();
+  const Login login = state->login();
+  const auto problems = seal_problems(*database, audit_key(login));
+  if (!problems) return problems.error();
+  if (problems->empty()) return {};
+  return failed("was changed by another program: %1"_text(problems->front()),
+                "run isograsp db check, then restore the last backup"_text)
+      .at(path);
+}
+
 }  // namespace
 
 Result<MergeReport> merge_databases(const std::string& into, const std::string& from,
@@ -136,6 +152,12 @@ Result<MergeReport> merge_databases(const std::string& into, const std::string& 
         .at(is_protected_database(into) ? into : from);
   if (const auto good = check_mergeable(into, into_how); !good) return good.error();
   if (const auto good = check_mergeable(from, OpenMode::read_only); !good) return good.error();
+  // An emergency file has what a damaged file lost; and who merges in scratch files has just made
+  // them.
+  if (into_how != OpenMode::scratch)
+    if (const auto proved = prove(from); !proved) return proved.error();
+  if (into_how != OpenMode::scratch && emergency == nullptr)
+    if (const auto proved = prove(into); !proved) return proved.error();
   auto database = Database::open(into, into_how);
   if (!database) return database.error();
   const auto ours = hashes_of_unpacked(into);

@@ -36,7 +36,8 @@ struct EmergencyMerge {
 /// erased in either stays so. `same_patients`: codes of which it is known that they mean the
 /// same person in both files; that person has both UUIDs from then on.
 /// What one file does not know yet (the end of a session that was open when it was copied, the
-/// drift of a later zero) is taken from the other and is no conflict. Both files must have the
+/// drift of a later zero) is taken from the other and is no conflict. Both files must prove (their
+/// seals), and what is taken in gets new seals. Both files must have the
 /// format of this program; nobody may record into either. `into_how`: existing, or scratch, where
 /// nothing is logged and the same files give the same bytes.
 [[nodiscard]] Result<MergeReport> merge_databases(const std::string& into, const std::string& from,

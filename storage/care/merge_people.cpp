@@ -146,10 +146,10 @@ class People {
   }
 
   void add_patient(const Patient& theirs, RowId id) {
-    sql_ << "INSERT INTO main.patients (id, code, created_utc, uuid) "
-            "VALUES (:id, :code, :created, :uuid)",
+    sql_ << "INSERT INTO main.patients (id, code, created_utc, uuid, salt) "
+            "SELECT :id, :code, :created, :uuid, salt FROM other.patients WHERE id = :there",
         soci::use(id), soci::use(theirs.code), soci::use(theirs.created_utc),
-        soci::use(*theirs.uuids.begin());
+        soci::use(*theirs.uuids.begin()), soci::use(theirs.id);
     add_aliases(theirs, id);
     ++report_.patients_added;
   }

@@ -11,6 +11,7 @@
 #include <soci/soci.h>
 
 #include "storage/access/audit_chain.hpp"
+#include "storage/access/guarded_store.hpp"
 #include "storage/crypto/content_hash.hpp"
 #include "storage/file/old_formats.hpp"
 #include "storage/file/open_mode.hpp"
@@ -54,6 +55,8 @@ void give_uuids(soci::session& sql) {
 
 /// Trial by trial: an interruption costs nothing, and the next call goes on.
 Result<Migration> pack_all(Database database, Migration migration) {
+  const auto keys = database.guard("opening"_text, [&] { (void)login_state_of(database); });
+  if (!keys) return keys.error();
   SqliteStore store(std::move(database));
   const auto waiting = store.unpacked();
   if (!waiting) return waiting.error();
@@ -93,11 +96,10 @@ Result<void> change_tables(const std::string& path, const Migration& migration) 
                            "run isograsp db check, then restore the last backup"_text)
                         .at(path)};
     sql << "PRAGMA user_version=" + std::to_string(kDatabaseFormat);
-    std::string id;
-    int slots = 0;
-    sql << "SELECT database_id, (SELECT count(*) FROM key_slots) FROM access_settings",
-        soci::into(id), soci::into(slots);
-    (void)append_audit(sql, *LoginState::of(id, slots > 0),
+    database->begin_to_seal();
+    const auto state = login_state_of(*database);
+    database->seals()->seal_all();
+    (void)append_audit(*database, *state,
                        entry_of("migrate", std::filesystem::path(migration.copy).filename(),
                                 "from format " + std::to_string(migration.from)));
   });
@@ -114,6 +116,7 @@ Result<Migration> migrate_database(const std::string& path) {
   if (!opened) return opened.error();
   Migration migration{opened->format(), ""};
   if (migration.from == kDatabaseFormat) return pack_all(std::move(*opened), migration);
+  if (const auto login = login_at(*opened, true); !login) return login.error();
   const auto lock = RecordingLock::exclusive_if_free(opened->real_path());
   if (!lock) return lock.error();
   if (!lock->held())

@@ -18,8 +18,9 @@ struct Migration {
   std::vector<Text> not_packed{};
 };
 /// Brings a file to the format of this program, in one transaction, after a checked copy beside
-/// it was made; then packs the signals that are not, trial by trial. Refused while somebody
-/// records into the file.
+/// it was made; then packs the signals that are not, trial by trial. Every row is
+/// sealed as it is found. Refused while somebody records into the file; a protected one without a
+/// login (Access::open_to_migrate()) that may write.
 [[nodiscard]] Result<Migration> migrate_database(const std::string& path);
 
 }  // namespace isograsp::storage

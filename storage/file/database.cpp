@@ -129,7 +129,7 @@ bool writable(const std::string& path) {
 
 /// Makes an empty database under a name of its own, then gives it its name: either the whole file
 /// is there or none. Somebody else's file that appears meanwhile is kept.
-Result<void> create_file(const std::string& path, const fs::path& real_path) {
+Result<void> create_file(const std::string& path, const fs::path& real_path, bool scratch) {
   const fs::path folder = real_path.parent_path();
   std::error_code ignored;
   if (!fs::is_directory(folder, ignored))
@@ -150,6 +150,9 @@ Result<void> create_file(const std::string& path, const fs::path& real_path) {
     sql << "PRAGMA user_version=" + std::to_string(kDatabaseFormat);
     soci::transaction whole(sql);
     for (const std::string& statement : schema::statements()) sql << statement;
+    if (scratch)  // the same each time; no keys depend on it
+      sql << "UPDATE access_settings SET database_id = lower(hex(zeroblob(16)))";
+    RowSeals(sql).seal_all();
     whole.commit();
   } catch (const soci::sqlite3_soci_error& why) {
     tidy();
@@ -350,7 +353,8 @@ Result<Database> Database::open(const std::string& path, OpenMode how, int oldes
     if (how != OpenMode::create && how != OpenMode::scratch)
       return refused("does not exist"_text, "make it with isograsp db init, or check the path"_text)
           .at(path);
-    if (const auto made = create_file(path, real_path); !made) return made.error();
+    if (const auto made = create_file(path, real_path, how == OpenMode::scratch); !made)
+      return made.error();
   }
   if (const auto plain = check_side_files(real_path); !plain) return plain.error();
   if (const auto ours = check_file(path, real_path, how, oldest); !ours) return ours.error();
@@ -387,12 +391,11 @@ Result<Database> Database::open(const std::string& path, OpenMode how, int oldes
       throw Refusal{failed("the database cannot be set to durable writing"_text,
                            "keep it on a local disk"_text)
                         .at(path)};
-    if (database.scratch_ && made_now)  // the same each time; no keys depend on it
-      sql << "UPDATE access_settings SET database_id = lower(hex(zeroblob(16)))";
     if (!read_only && (database.format_ < oldest || database.format_ > kDatabaseFormat))
       throw Refusal{refused("has a format that this program does not know"_text,
                             "use the program that made it"_text)
                         .at(path)};
+    if (!read_only && database.format_ == kDatabaseFormat) database.begin_to_seal();
     if (!read_only && !database.scratch_)
       database.watch_ = std::make_unique<FileWatch>(sql, real_path);
   });
@@ -464,10 +467,12 @@ Result<void> Database::enclose(const char* begin, const Text& doing,
     sql() << begin;
     try {
       work();
+      seal_rows();
       if (before_commit_) before_commit_();
       stop_if_lost();
       sql() << "COMMIT";
     } catch (...) {
+      if (seals_) seals_->forget();
       try {
         sql() << "ROLLBACK";
       } catch (const soci::soci_error&) {  // SQLite has rolled back by itself (full disk)

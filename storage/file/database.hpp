@@ -10,6 +10,7 @@
 #include "core/result.hpp"
 #include "storage/file/file_watch.hpp"
 #include "storage/file/open_mode.hpp"
+#include "storage/file/row_seals.hpp"
 
 namespace soci {
 class session;
@@ -50,7 +51,9 @@ class Database {
   [[nodiscard]] soci::session& sql() noexcept { return *session_; }
   [[nodiscard]] const std::string& path() const noexcept { return path_; }  ///< as the user gave it
   [[nodiscard]] const std::string& real_path() const noexcept { return real_path_; }
-  [[nodiscard]] int format() const noexcept { return format_; }  ///< when it was opened
+  [[nodiscard]] int format() const noexcept {
+    return format_;
+  }  ///< when it was opened, or migrated
   [[nodiscard]] bool is_scratch() const noexcept { return scratch_; }
   [[nodiscard]] bool is_read_only() const noexcept { return read_only_; }
 
@@ -63,6 +66,17 @@ class Database {
   [[nodiscard]] Result<void> transact(const Text& doing, const std::function<void()>& work);
   /// transact() that does not wait. False, and nothing done: another program is writing.
   [[nodiscard]] Result<bool> transact_if_free(const Text& doing, const std::function<void()>& work);
+  /// What transact() does before it commits; for what is to hold the seals of its own transaction.
+  void seal_rows() {
+    if (seals_) seals_->seal();
+  }
+  /// None: the file is only read, or has an older format.
+  [[nodiscard]] RowSeals* seals() noexcept { return seals_.get(); }
+  /// The file has got the present format: from now on rows are sealed.
+  void begin_to_seal() {
+    format_ = kDatabaseFormat;
+    seals_ = std::make_unique<RowSeals>(*session_);
+  }
   /// The check that transact() makes, outside of a transaction.
   [[nodiscard]] Result<void> in_place();
   void watch_no_more() { watch_.reset(); }
@@ -83,6 +97,7 @@ class Database {
   std::unique_ptr<soci::session> session_;
   std::unique_ptr<FileWatch> watch_;  ///< none: read only, scratch
   std::function<void()> before_commit_;
+  std::unique_ptr<RowSeals> seals_;
 };
 
 /// While it lives, `also` runs at the end of every transaction of `database`, as a part of it.

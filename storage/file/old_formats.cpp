@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Formats 1 to 7 were made for a platform of three fingers, so this file names them. It says how
 // each format came of the one before, and how format 7 becomes the tables of today: for migration
-// and for reading an old file as it is, by the same statements.
+// and for reading an old file as it is, by the same statements. Format 9 brought the seals of rows.
 #include "storage/file/old_formats.hpp"
 
 #include <algorithm>
@@ -275,7 +275,9 @@ struct Successor {
   const char* select;
 };
 constexpr std::array kSuccessors{
-    Successor{"patients", 1, "SELECT id, code, created_utc, uuid FROM old_patients"},
+    // Format 9 makes this table anew, with a random number.
+    Successor{"patients", 1,
+              "SELECT id, code, created_utc, uuid, zeroblob(16) AS salt FROM old_patients"},
     Successor{"patient_profiles", 4,
               "SELECT patient_id, affected, dominant, onset_date, notes, goals, sex, birth_year "
               "FROM old_patient_profiles"},
@@ -379,6 +381,37 @@ std::vector<std::string> to_format_8() {
   return all;
 }
 
+/// Tables that format 9 makes anew. The columns of before stand by name: a file of an older format
+/// has come here by steps that made the tables of today.
+std::vector<std::string> to_format_9() {
+  struct Anew {
+    std::string table;
+    std::string columns;  ///< that format 8 had
+    std::string more;     ///< ", column" …
+    std::string value;    ///< … and what it gets
+  };
+  const std::array<Anew, 3> tables{
+      {{"patients", "id, code, created_utc, uuid", ", salt", ", randomblob(16)"},
+       {"patient_aliases", "uuid, patient_id", "", ""},
+       {"audit_log", "id, at_utc, actor, role, act, object, result, detail, hash", "", ""}}};
+  std::vector<std::string> all;
+  for (const Anew& one : tables) {
+    all.push_back("ALTER TABLE " + one.table + " RENAME TO " + old(one.table));
+    // With its triggers; indexes keep their names until the old table goes.
+    for (const std::string& statement : statements())
+      if (statement.starts_with("CREATE TABLE " + one.table + " ")) all.push_back(statement);
+    all.push_back("INSERT INTO " + one.table + " (" + one.columns + one.more + ") SELECT " +
+                  one.columns + one.value + " FROM " + old(one.table) + " ORDER BY rowid");
+    all.push_back("DROP TABLE " + old(one.table));
+    for (const std::string& statement : statements())
+      if (!statement.starts_with("CREATE TABLE ") &&
+          statement.find(" ON " + one.table + " ") != std::string::npos)
+        all.push_back(statement);
+  }
+  all.insert(all.end(), seal_statements().begin(), seal_statements().end());
+  return all;
+}
+
 std::vector<std::string> to_format_7() {
   std::vector<std::string> all(access_statements().begin(), access_statements().end());
   all.insert(all.end(), kProfileInFormat7.begin(), kProfileInFormat7.end());
@@ -409,7 +442,8 @@ std::vector<std::string> statements_to(int format) {
     case 5: return all(kToFormat5);
     case 6: return all(kToFormat6);
     case kLastOfFingers: return to_format_7();
-    default: return to_format_8();
+    case kLastOfFingers + 1: return to_format_8();
+    default: return to_format_9();
   }
 }
 

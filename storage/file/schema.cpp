@@ -2,6 +2,7 @@
 // STRICT refuses a value of the wrong kind. `ANY … typeof 'real'` is a float64 that may be
 // negative: a REAL column would turn -0.0 into 0.0. `date(…, '+0 days')` reckons the date: 30
 // February becomes another day, so it is not what was given.
+// `salt`: 16 random bytes that enter the seals of all rows of the person.
 // What only some kinds of session know stands by name: numbers in the tables …_references, what was
 // measured before trials in `preparations` with the names of its columns, sensors one a row.
 #include "storage/file/schema.hpp"
@@ -20,13 +21,15 @@ const std::array kTables{
   id INTEGER PRIMARY KEY,
   code TEXT NOT NULL UNIQUE COLLATE NOCASE CHECK (length(code) BETWEEN 2 AND 32),
   created_utc TEXT NOT NULL,
-  uuid TEXT CHECK (length(uuid) = 36)
+  uuid TEXT CHECK (length(uuid) = 36),
+  salt BLOB NOT NULL CHECK (length(salt) = 16)
 ) STRICT)",
           {"CREATE UNIQUE INDEX patients_by_uuid ON patients (uuid)"}},
 
     Table{"patient_aliases",
           R"(CREATE TABLE patient_aliases (
-  uuid TEXT PRIMARY KEY CHECK (length(uuid) = 36),
+  id INTEGER PRIMARY KEY,
+  uuid TEXT NOT NULL UNIQUE CHECK (length(uuid) = 36),
   patient_id INTEGER NOT NULL REFERENCES patients (id)
 ) STRICT)",
           {}},
@@ -330,6 +333,7 @@ std::vector<std::string> statements() {
       if (index != nullptr) all.emplace_back(index);
   }
   for (const char* statement : access_statements()) all.emplace_back(statement);
+  for (const char* statement : seal_statements()) all.emplace_back(statement);
   return all;
 }
 

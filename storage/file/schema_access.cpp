@@ -92,7 +92,8 @@ constexpr std::array kStatements{
   object TEXT NOT NULL,
   result TEXT NOT NULL CHECK (result IN ('done', 'refused', 'failed')),
   detail TEXT NOT NULL,
-  hash TEXT NOT NULL CHECK (length(hash) = 64)
+  hash TEXT NOT NULL CHECK (length(hash) = 64),
+  seals INTEGER NOT NULL DEFAULT 0 CHECK (seals >= 0)
 ) STRICT)",
 
     "CREATE TRIGGER audit_log_is_not_changed BEFORE UPDATE ON audit_log "
@@ -112,10 +113,40 @@ constexpr std::array kStatements{
 ) STRICT)",
 };
 
+// A line for every row that was written, changed or removed (storage/file/row_seals.hpp).
+constexpr std::array kSealStatements{
+    R"(CREATE TABLE row_seals (
+  id INTEGER PRIMARY KEY,
+  of_table TEXT NOT NULL CHECK (of_table <> ''),
+  of_row TEXT NOT NULL,
+  hash BLOB CHECK (length(hash) = 32),
+  chain BLOB NOT NULL CHECK (length(chain) = 32)
+) STRICT)",
+
+    "CREATE TRIGGER row_seals_are_not_changed BEFORE UPDATE ON row_seals "
+    "BEGIN SELECT RAISE(ABORT, 'seals are only added'); END",
+    "CREATE TRIGGER row_seals_are_not_cut BEFORE DELETE ON row_seals "
+    "BEGIN SELECT RAISE(ABORT, 'seals are only added'); END",
+    "CREATE TRIGGER row_seals_are_not_replaced BEFORE INSERT ON row_seals "
+    "WHEN EXISTS (SELECT 1 FROM row_seals WHERE id = NEW.id) "
+    "BEGIN SELECT RAISE(ABORT, 'seals are only added'); END",
+
+    R"(CREATE TABLE row_seals_anchor (
+  id INTEGER PRIMARY KEY CHECK (id = 1),
+  count INTEGER NOT NULL CHECK (count >= 0),
+  chain BLOB NOT NULL,
+  proof BLOB NOT NULL
+) STRICT)",
+};
+
 }  // namespace
 
 std::span<const char* const> access_statements() {
   return kStatements;
+}
+
+std::span<const char* const> seal_statements() {
+  return kSealStatements;
 }
 
 }  // namespace isograsp::storage::schema

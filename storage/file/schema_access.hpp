@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tables of access and privacy: accounts, wrapped keys, identities, consent, erasure, audit
-// log.
+// log; and the seals of all rows.
 #pragma once
 
 #include <span>
@@ -11,5 +11,10 @@ namespace isograsp::storage::schema {
 [[nodiscard]] std::span<const char* const> access_statements();
 /// First format that has them.
 inline constexpr int kAccessFormat = 7;
+
+/// Statements that add the seals of rows.
+[[nodiscard]] std::span<const char* const> seal_statements();
+/// First format that has them.
+inline constexpr int kSealFormat = 9;
 
 }  // namespace isograsp::storage::schema

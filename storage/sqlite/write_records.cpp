@@ -65,7 +65,10 @@ Result<PatientRecord> SqliteStore::add_patient(const std::string& code,
     if (sql.got_data())
       throw Refusal{refused("patient %1 exists already"_text(present), "choose another code"_text)
                         .at(path())};
-    sql << "INSERT INTO patients (code, created_utc, uuid) VALUES (:code, :created, :uuid)",
+    const std::string salt = database_.is_scratch() ? "zeroblob(16)" : "randomblob(16)";
+    sql << "INSERT INTO patients (code, created_utc, uuid, salt) "
+           "VALUES (:code, :created, :uuid, " +
+               salt + ")",
         soci::use(patient.code), soci::use(patient.created_utc), soci::use(patient.uuid);
     patient.id = last_id(sql, "patients");
   });

@@ -118,7 +118,7 @@ TEST_F(Audit, IsNotChangedCutOrReplacedThroughSql) {
        {"UPDATE audit_log SET actor = 'nobody' WHERE id = 3", "DELETE FROM audit_log WHERE id = 3",
         "DELETE FROM audit_log",
         "INSERT OR REPLACE INTO audit_log SELECT id, at_utc, 'nobody', role, act, object, result, "
-        "detail, hash FROM audit_log WHERE id = 3"})
+        "detail, hash, seals FROM audit_log WHERE id = 3"})
     EXPECT_THROW(sql << statement, soci::soci_error) << statement;
   EXPECT_TRUE(problems().empty());
 }
@@ -156,7 +156,7 @@ TEST_F(Audit, NoticesAMissingEntry) {
 
 TEST_F(Audit, NoticesAnInventedEntry) {
   attack(path, {"INSERT INTO audit_log SELECT id + 1, at_utc, actor, role, act, 'P-2', result, "
-                "detail, hash FROM audit_log ORDER BY id DESC LIMIT 1"});
+                "detail, hash, seals FROM audit_log ORDER BY id DESC LIMIT 1"});
   EXPECT_FALSE(problems().empty());
 }
 

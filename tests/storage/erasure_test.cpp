@@ -13,6 +13,7 @@
 #include "storage/person/consent.hpp"
 #include "storage/person/identity.hpp"
 #include "tests/storage/protected_clinic.hpp"
+#include "tests/storage/sealed_write.hpp"
 #include "tests/support/every.hpp"
 
 namespace isograsp::storage::erasure_test {
@@ -73,9 +74,7 @@ struct Erasure : testing::Test {
                      {0, "2020-01-05", "research", "consent", "given", "FORGETME form", "", ""}));
     execute("UPDATE consents SET recorded_utc = '2020-01-05T08:00:00Z'");
   }
-  void execute(const std::string& statement) const {
-    soci::session(soci::sqlite3, "db=\"" + path + "\"") << statement;
-  }
+  void execute(const std::string& statement) const { write_sealed(path, statement); }
   /// Of both people, in the database and everything beside it.
   [[nodiscard]] bool anywhere(const std::string& text) const {
     for (const std::string& name : folder.listing())
@@ -87,7 +86,8 @@ struct Erasure : testing::Test {
 TEST_F(Erasure, NamesEveryTableThatHangsOnAPerson) {
   soci::session sql(soci::sqlite3, "db=\"" + path + "\"");
   // As after a merge, and while a trial is recorded.
-  sql << "INSERT INTO patient_aliases SELECT substr(uuid, 1, 35) || 'z', id FROM patients";
+  sql << "INSERT INTO patient_aliases (uuid, patient_id) SELECT substr(uuid, 1, 35) || 'z', id "
+         "FROM patients";
   sql << "INSERT INTO signal_blocks SELECT trial_id, position, 0, 1, 0, x'00' FROM signal_groups";
   std::set<std::string> personal{"patients"};
   for (std::size_t before = 0; before != personal.size();) {

@@ -13,6 +13,7 @@
 #include "storage/person/consent.hpp"
 #include "storage/person/erasure.hpp"
 #include "tests/storage/examples.hpp"
+#include "tests/storage/sealed_write.hpp"
 #include "tests/support/every.hpp"
 
 namespace isograsp::storage::merge_test {
@@ -143,7 +144,7 @@ struct Merge : testing::Test {
     return to;
   }
   static void execute(const std::string& path, const std::string& statement) {
-    soci::session(soci::sqlite3, "db=\"" + path + "\"") << statement;
+    write_sealed(path, statement);
   }
   /// Both ways round give the same, and again changes nothing. That content.
   std::multiset<std::string> expect_laws(const std::vector<std::string>& same = {}) {
@@ -263,8 +264,8 @@ TEST_F(Merge, OfDifferentContentUnderOneUuidIsReportedAndNothingIsChanged) {
     b = copy(sound, "b" + std::to_string(++number) + ".db");
     execute(b, change.statement);
     execute(b,
-            "INSERT INTO patients (code, created_utc, uuid) VALUES ('N-1', '', "
-            "'00000000-0000-4000-8000-000000000000')");
+            "INSERT INTO patients (code, created_utc, uuid, salt) VALUES ('N-1', '', "
+            "'00000000-0000-4000-8000-000000000000', zeroblob(16))");
     const auto report = must(merge_databases(a, b));
     ASSERT_FALSE(report.conflicts.empty()) << change.statement;
     EXPECT_NE(english(report.conflicts[0]).find(change.reported), std::string::npos)
@@ -337,6 +338,24 @@ TEST_F(Merge, OfATrialThatIsPackedInOneFileOnlyComparesItsValues) {
 }
 
 /// At another station the person was erased: gone in both files afterwards, or a conflict.
+TEST_F(Merge, TakesInNothingThatAnotherProgramHasChanged) {
+  make_station(a, "A-1", 1);
+  make_station(b, "B-1", 2);
+  for (const std::string& changed : {a, b}) {
+    const std::string sound = copy(changed, "sound.db");
+    soci::session(soci::sqlite3, "db=\"" + changed + "\"")
+        << "UPDATE measures SET value = 0.5 WHERE id = 1";
+    const auto refused = merge_databases(a, b);
+    ASSERT_FALSE(refused.ok());
+    EXPECT_EQ(refused.error().file, changed);
+    EXPECT_NE(refused.error().message().find("measures: row 1 is not what isograsp wrote"),
+              std::string::npos)
+        << refused.error().message();
+    std::filesystem::copy_file(sound, changed, std::filesystem::copy_options::overwrite_existing);
+    std::filesystem::remove(sound);
+  }
+}
+
 TEST_F(Merge, NeverBringsBackWhoWasErased) {
   make_station(a, "A-1", 1);
   make_station(b, "B-1", 2);

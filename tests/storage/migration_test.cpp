@@ -12,6 +12,7 @@
 #include "storage/access/audit_log.hpp"
 #include "storage/access/open_store.hpp"
 #include "storage/file/database.hpp"
+#include "storage/person/identity.hpp"
 #include "tests/storage/examples.hpp"
 #include "tests/support/every.hpp"
 
@@ -222,8 +223,8 @@ TEST_P(Migration, IsAnEntryOfTheAuditLogTheFirstWhereThereWasNone) {
   const auto access = must(Access::open(path));
   EXPECT_FALSE(access->is_protected());
   const auto entries = must(read_audit(*access));
-  const bool has_log = GetParam() >= 7;  // that file says where it came from itself
-  ASSERT_EQ(entries.size(), has_log ? 2u : 1u);
+  // From 7 on the files say where they came from themselves.
+  ASSERT_EQ(static_cast<int>(entries.size()), 1 + std::max(0, GetParam() - 6));
   EXPECT_EQ(entries.back().act, "migrate");
   EXPECT_EQ(entries.back().object, "clinic.db.format-" + format);
   EXPECT_TRUE(must(check_audit(*access)).empty());
@@ -283,6 +284,48 @@ TEST_F(ForceSessions, OfFormat7KeepZeroRestReferencesSensorsAndDrift) {
     EXPECT_TRUE(must(store->trials(sessions[0].id))[1].drift.empty());
     EXPECT_TRUE(must(store->check()).empty());
   }
+}
+
+/// tests/data/format_8_protected.db: made by the last program that wrote format 8.
+TEST(MigrationOfAProtectedFile, AsksForALoginThatMayWriteAndKeepsEverything) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("clinic.db");
+  fs::copy_file(ISOGRASP_SOURCE_DIR "/tests/data/format_8_protected.db", path);
+  const auto secret = [](const char* text) { return Secret{std::string_view(text)}; };
+  const std::string before = bytes_of(path);
+  EXPECT_NE(english(migrate_database(path).error().what).find("nobody is logged in"),
+            std::string::npos);
+  {
+    const auto access = must(Access::open_to_migrate(path));
+    EXPECT_FALSE(access->log_in("Rita", secret("theo's password")).ok());
+    must(access->log_in("Rita", secret("rita's password")));
+    EXPECT_NE(english(migrate_database(path).error().what).find("researcher"), std::string::npos);
+  }
+  EXPECT_EQ(bytes_of(path), before);
+  EXPECT_EQ(folder.listing(), std::vector<std::string>{"clinic.db"}) << "no copy either";
+  {
+    const auto access = must(Access::open_to_migrate(path));
+    must(access->log_in("Theo", secret("theo's password")));
+    EXPECT_EQ(must(migrate_database(path)).from, 8);
+  }
+  const auto access = must(Access::open(path));
+  must(access->log_in("Ada", secret("ada's password")));
+  EXPECT_EQ(must(read_audit(*access, {"migrate", ""})).at(0).actor, "Theo");
+  const auto store = opened(path, OpenMode::existing);
+  EXPECT_EQ(must(store->check()), std::vector<Text>{});
+  EXPECT_EQ(must(store->profile(1)).notes, "a note");
+  EXPECT_EQ(must(store->treatment_marks(1)).at(0).text, "a mark");
+  EXPECT_EQ(must(read_identity(*access, "P-0427"))->name, "Vera Novak");
+}
+
+TEST_P(Migration, SealsWhatItFinds) {
+  must(migrate_database(path));
+  EXPECT_TRUE(must(opened(path)->check()).empty());
+  soci::session(soci::sqlite3, "db=\"" + path + "\"") << "UPDATE trials SET helped = 1 - helped "
+                                                         "WHERE id = 1";
+  const auto problems = must(opened(path)->check());
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(english(problems[0]), "trials: row 1 is not what isograsp wrote");
 }
 
 TEST_P(Migration, IsRefusedWhileSomebodyRecords) {

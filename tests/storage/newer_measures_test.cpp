@@ -13,6 +13,7 @@
 #include "storage/care/merge.hpp"
 #include "storage/person/erasure.hpp"
 #include "tests/storage/protected_clinic.hpp"
+#include "tests/storage/sealed_write.hpp"
 
 namespace isograsp::storage::newer_measures_test {
 namespace {
@@ -242,7 +243,7 @@ struct MergeOfNewer : NewerMeasures {
     return folder.file(name);
   }
   static void execute(const std::string& file, const std::string& statement) {
-    soci::session(soci::sqlite3, "db=\"" + file + "\"") << statement;
+    write_sealed(file, statement);
   }
   [[nodiscard]] std::string all_of(const std::string& file) const {
     return words(must(opened(file, OpenMode::read_only)->measures_of_all_versions(first)));

@@ -127,8 +127,11 @@ TEST_F(PlainClinic, ProtectedLaterProvesTheLogOfBefore) {
   std::string before = first_hash(nullptr, id);
   for (AuditEntry entry : entries) {
     if (entry.act == kProtectAct) break;
+    std::string chain;
+    sql << "SELECT coalesce(lower(hex(chain)), '') FROM row_seals WHERE id = :id",
+        soci::use(entry.seals), soci::into(chain);
     if (entry.number == 1) entry.detail = "changed";
-    entry.hash = entry_hash(nullptr, before, entry);
+    entry.hash = entry_hash(nullptr, before, entry, chain);
     before = entry.hash;
     sql << "UPDATE audit_log SET detail = :detail, hash = :hash WHERE id = :id",
         soci::use(entry.detail), soci::use(entry.hash), soci::use(entry.number);

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "storage/file/row_hash.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include <soci/soci.h>
+#include <soci/sqlite3/soci-sqlite3.h>
+
+namespace isograsp::storage {
+
+namespace {
+
+using namespace sqlite_api;
+
+constexpr std::array<std::string_view, 7> kWithoutSeals{
+    "audit_anchor",  "audit_log",        "login_failures",  "row_seals",
+    "signal_blocks", "row_seals_anchor", "emergency_origin"};
+/// A wrong password or PIN changes the counters before anybody has a key. Of packed signals the
+/// hash of their values stands in the row and is compared whenever they are read.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kNotSealed{
+    {{"users", "pin_failed_count"},
+     {"key_slots", "failed_count"},
+     {"key_slots", "retry_at_unix_s"},
+     {"signal_packs", "float64_shuffled_zstd"}}};
+
+/// A reference of one table to another: pairs of columns.
+struct Reference {
+  std::string table;
+  std::vector<std::pair<std::string, std::string>> columns;  ///< from, to
+};
+
+std::vector<Reference> references_of(soci::session& sql, const std::string& table) {
+  std::map<int, Reference> all;
+  int id = 0;
+  std::string to_table;
+  std::string from;
+  std::string to;
+  const std::string query =
+      "SELECT id, \"table\", \"from\", \"to\" FROM pragma_foreign_key_list('" + table +
+      "') ORDER BY id, seq";
+  soci::statement select = (sql.prepare << query, soci::into(id), soci::into(to_table),
+                            soci::into(from), soci::into(to));
+  select.execute();
+  while (select.fetch()) {
+    all[id].table = to_table;
+    all[id].columns.emplace_back(from, to);
+  }
+  std::vector<Reference> shortest_first;
+  for (auto& [number, one] : all) shortest_first.push_back(std::move(one));
+  // One that is optional (the trial of an event) has more columns than the one that is not.
+  std::stable_sort(shortest_first.begin(), shortest_first.end(), [](const auto& a, const auto& b) {
+    return a.columns.size() < b.columns.size();
+  });
+  return shortest_first;
+}
+
+/// Nothing: rows of the table belong to nobody.
+std::optional<std::string> salt_of(soci::session& sql, const std::string& table,
+                                   const std::string& row) {
+  if (table == "patients") return row + ".salt";
+  for (const Reference& reference : references_of(sql, table)) {
+    if (reference.table == table) continue;
+    const std::string other = row + "x";
+    const auto salt = salt_of(sql, reference.table, other);
+    if (!salt) continue;
+    std::string where;
+    for (const auto& [from, to] : reference.columns)
+      where += (where.empty() ? "" : " AND ") + other + "." + to + " = " + row + "." + from;
+    return "(SELECT " + *salt + " FROM main." + reference.table + " " + other + " WHERE " + where +
+           ")";
+  }
+  return std::nullopt;
+}
+
+std::string_view bytes_at(sqlite3_stmt* statement, int column) {
+  // The value first, then its size: SQLite's order.
+  const void* const data = sqlite3_column_blob(statement, column);
+  const int size = sqlite3_column_bytes(statement, column);
+  return {static_cast<const char*>(data), static_cast<std::size_t>(size)};
+}
+
+}  // namespace
+
+std::string key_text(const RowKey& key) {
+  std::string text;
+  for (std::size_t i = 0; i < key.size(); ++i) text += (i == 0 ? "" : ",") + key[i];
+  return text;
+}
+
+bool SealedTable::has_unsealed() const noexcept {
+  return std::any_of(columns.begin(), columns.end(), [](const Column& one) { return !one.sealed; });
+}
+
+std::vector<SealedTable> sealed_tables(soci::session& sql) {
+  std::vector<SealedTable> all;
+  std::string table;
+  std::string column;
+  int in_key = 0;
+  std::map<int, int> key;  // place in the key: column
+  const auto finish = [&] {
+    if (!all.empty())
+      for (const auto& [place, index] : key) all.back().key.push_back(index);
+    key.clear();
+  };
+  {
+    soci::statement select =
+        (sql.prepare << "SELECT m.name, c.name, c.pk FROM main.sqlite_schema m, "
+                        "pragma_table_info(m.name, 'main') c WHERE m.type = 'table' AND m.name NOT "
+                        "LIKE 'sqlite!_%' ESCAPE '!' ORDER BY m.name, c.cid",
+         soci::into(table), soci::into(column), soci::into(in_key));
+    select.execute();
+    while (select.fetch()) {
+      if (std::find(kWithoutSeals.begin(), kWithoutSeals.end(), table) != kWithoutSeals.end())
+        continue;
+      if (all.empty() || all.back().name != table) {
+        finish();
+        all.push_back({table, {}, {}, {}});
+      }
+      const bool left_out = std::any_of(kNotSealed.begin(), kNotSealed.end(), [&](const auto& one) {
+        return one.first == table && one.second == column;
+      });
+      if (in_key > 0) key[in_key] = static_cast<int>(all.back().columns.size());
+      all.back().columns.push_back({column, !left_out});
+    }
+    finish();
+  }
+  for (SealedTable& one : all) one.salt = salt_of(sql, one.name, "t").value_or("NULL");
+  return all;
+}
+
+struct RowReader::Statement {
+  explicit Statement(const SealedTable& of) : table(of) {}
+  Statement(const Statement&) = delete;
+  Statement& operator=(const Statement&) = delete;
+  ~Statement() { sqlite3_finalize(compiled); }
+  const SealedTable& table;
+  sqlite3* connection = nullptr;
+  sqlite3_stmt* compiled = nullptr;
+  void must(int code) const {
+    if (code != SQLITE_OK) throw soci::sqlite3_soci_error(sqlite3_errmsg(connection), code);
+  }
+};
+
+RowReader::RowReader(soci::session& sql, const SealedTable& table, Which which)
+    : statement_(std::make_unique<Statement>(table)) {
+  statement_->connection = static_cast<soci::sqlite3_session_backend*>(sql.get_backend())->conn_;
+  std::string names;
+  for (const auto& column : table.columns)
+    names += (column.sealed ? "t." + column.name : std::string("NULL")) + ", ";
+  std::string keys;
+  for (const int index : table.key)
+    keys += (keys.empty() ? " WHERE t." : " AND t.") +
+            table.columns[static_cast<std::size_t>(index)].name + " = ?";
+  const std::string query = "SELECT " + names + table.salt + " FROM main." + table.name + " t" +
+                            (which == Which::one ? keys : "");
+  statement_->must(sqlite3_prepare_v2(statement_->connection, query.c_str(), -1,
+                                      &statement_->compiled, nullptr));
+}
+
+RowReader::~RowReader() = default;
+RowReader::RowReader(RowReader&&) noexcept = default;
+
+void RowReader::find(const RowKey& key) {
+  sqlite3_reset(statement_->compiled);
+  for (std::size_t i = 0; i < key.size(); ++i)
+    statement_->must(sqlite3_bind_text(statement_->compiled, static_cast<int>(i + 1), key[i].data(),
+                                       static_cast<int>(key[i].size()), SQLITE_TRANSIENT));
+}
+
+bool RowReader::next() {
+  const int code = sqlite3_step(statement_->compiled);
+  if (code == SQLITE_ROW) return true;
+  statement_->must(sqlite3_reset(statement_->compiled));
+  return false;
+}
+
+RowKey RowReader::key() const {
+  RowKey key;
+  for (const int index : statement_->table.key)
+    // A number that was read as text would be one for SQLite from then on.
+    if (sqlite3_column_type(statement_->compiled, index) == SQLITE_INTEGER)
+      key.push_back(std::to_string(sqlite3_column_int64(statement_->compiled, index)));
+    else
+      key.emplace_back(bytes_at(statement_->compiled, index));
+  return key;
+}
+
+ContentHash RowReader::hash(const Secret* key) const {
+  const SealedTable& table = statement_->table;
+  ContentHasher whole(key != nullptr ? key->text() : std::string_view());
+  whole.add_text("IsoGrasp row 1");
+  whole.add_text(table.name);
+  const int count = static_cast<int>(table.columns.size());
+  for (int i = 0; i <= count; ++i) {  // the last one is the salt
+    if (i < count && !table.columns[static_cast<std::size_t>(i)].sealed) continue;
+    const int kind = sqlite3_column_type(statement_->compiled, i);
+    whole.add_number(static_cast<std::uint64_t>(kind));
+    switch (kind) {
+      case SQLITE_INTEGER:
+        whole.add_number(static_cast<std::uint64_t>(sqlite3_column_int64(statement_->compiled, i)));
+        break;
+      case SQLITE_FLOAT:
+        whole.add_number(
+            std::bit_cast<std::uint64_t>(sqlite3_column_double(statement_->compiled, i)));
+        break;
+      case SQLITE_NULL: break;
+      default: whole.add_text(bytes_at(statement_->compiled, i));
+    }
+  }
+  return whole.hash();
+}
+
+}  // namespace isograsp::storage

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a row says, as a hash. Which tables there are, what names a row and to which person it
+// belongs is read from the schema of the file: a new table or column is covered without a word
+// here. Inside storage/ only.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "storage/crypto/content_hash.hpp"
+#include "storage/crypto/secret.hpp"
+
+namespace soci {
+class session;
+}
+
+namespace isograsp::storage {
+
+/// The values of the primary key, as text.
+using RowKey = std::vector<std::string>;
+/// As it stands in row_seals.of_row and in messages.
+[[nodiscard]] std::string key_text(const RowKey& key);
+
+struct SealedTable {
+  struct Column {
+    std::string name;
+    bool sealed = true;  ///< false: docs/file_formats.md says why
+  };
+  std::string name;
+  std::vector<Column> columns;
+  std::vector<int> key;  ///< columns of the primary key, in its order
+  /// SQL: the random number of the person to whom row `t` belongs. Who does not have it cannot
+  /// guess a row from its hash; it goes with the person.
+  std::string salt;
+  [[nodiscard]] bool has_unsealed() const noexcept;
+};
+/// Of `main`, by name. Left out is what has a proof of its own (audit log, seals, seconds of
+/// signals), and wrong passwords, which are counted before there is a key. Throws as SOCI does.
+[[nodiscard]] std::vector<SealedTable> sealed_tables(soci::session& sql);
+
+/// Rows of one table; throws as SOCI does.
+class RowReader {
+ public:
+  enum class Which { one, all };
+  /// Both must outlive the reader.
+  RowReader(soci::session& sql, const SealedTable& table, Which which);
+  ~RowReader();
+  RowReader(RowReader&&) noexcept;
+  /// @pre Which::one
+  void find(const RowKey& key);
+  [[nodiscard]] bool next();
+  [[nodiscard]] RowKey key() const;
+  /// Nothing as key: everybody can make it. Of kind and bits of every sealed value.
+  [[nodiscard]] ContentHash hash(const Secret* key) const;
+
+ private:
+  struct Statement;
+  std::unique_ptr<Statement> statement_;
+};
+
+}  // namespace isograsp::storage

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The seals of rows: for every row that this program writes, changes or removes, a line in
+// row_seals with the hash of what the row says from then on, in the same transaction, each line
+// chained to the one before. Made with a key where the database is protected. Entries of the audit
+// log hold how far the lines had come. What that proves: docs/storage.md. Inside storage/ only.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/result.hpp"
+#include "storage/crypto/content_hash.hpp"
+#include "storage/crypto/secret.hpp"
+#include "storage/file/row_hash.hpp"
+
+namespace isograsp::storage {
+
+class Database;
+
+/// How far the lines have come.
+struct SealHead {
+  std::int64_t count = 0;
+  std::string chain;  ///< of line `count`, as hexadecimal digits; empty: there is none
+};
+[[nodiscard]] SealHead seal_head(soci::session& sql);
+
+class RowSeals {
+ public:
+  /// From now on it notes which rows of `main` this connection touches.
+  explicit RowSeals(soci::session& sql);
+  ~RowSeals();
+  RowSeals(const RowSeals&) = delete;
+  RowSeals& operator=(const RowSeals&) = delete;
+
+  /// Whose key: asked when rows are sealed. Without an answer the last one is used, so that a
+  /// recording can be ended whoever has logged out meanwhile; without any, a protected database
+  /// refuses.
+  using KeySource = std::function<const Secret*()>;
+  void key_from(KeySource source) { source_ = std::move(source); }
+
+  // Inside a transaction; throw as SOCI does.
+  void seal();                                  ///< the rows that were touched
+  void seal_all();                              ///< every row of the file
+  void forget() noexcept { touched_.clear(); }  ///< the transaction was rolled back
+
+ private:
+  friend struct SealHook;
+  [[nodiscard]] const Secret* key();
+  void touch(std::size_t table, RowKey key) { touched_.emplace(table, std::move(key)); }
+
+  soci::session& sql_;
+  std::vector<SealedTable> tables_;
+  std::vector<std::unique_ptr<RowReader>> readers_;  ///< of a table, once it is needed
+  std::set<std::pair<std::size_t, RowKey>> touched_;
+  KeySource source_;
+  Secret last_key_;
+};
+
+/// What of the file is not what this program wrote: each row with its table. `only`: of these
+/// tables alone; empty: of all. @pre no transaction is open, a protected database has its key
+[[nodiscard]] Result<std::vector<Text>> seal_problems(Database& database, const Secret* key,
+                                                      std::span<const std::string_view> only = {});
+
+}  // namespace isograsp::storage

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The lines of row_seals: how they are chained and written. Inside storage/file/ only.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "storage/crypto/content_hash.hpp"
+#include "storage/crypto/secret.hpp"
+#include "storage/file/row_seals.hpp"
+
+namespace isograsp::storage {
+
+struct SealLine {
+  std::int64_t number = 0;
+  std::string table;
+  std::string row;
+  std::string hash;   ///< 32 bytes; empty: the row was removed
+  std::string chain;  ///< 32 bytes
+};
+/// What chains a line to the one before; 32 bytes.
+[[nodiscard]] std::string chain_of(const Secret* key, const std::string& before,
+                                   const SealLine& line);
+/// States how far the lines have come; only a holder of the key can make it.
+[[nodiscard]] std::string seal_proof(const Secret* key, std::int64_t count,
+                                     const std::string& chain);
+
+/// Adds lines behind those that are there. Inside a transaction; throws as SOCI does.
+class SealWriter {
+ public:
+  SealWriter(soci::session& sql, const Secret* key);
+  ~SealWriter();
+  /// `hash`: null: the row was removed.
+  void add(const std::string& table, const std::string& row, const ContentHash* hash);
+  void finish();  ///< says how far they have come
+
+ private:
+  struct Insert;
+  soci::session& sql_;
+  const Secret* key_;
+  SealLine line_;  ///< the last one
+  std::unique_ptr<Insert> insert_;
+};
+
+}  // namespace isograsp::storage

@@ -120,7 +120,7 @@ class Plan {
   unsigned touch(const FingerWrenches& wrench_C, ObjectState& state, const Use& use) const noexcept;
   void compile_lanes();
   /// Axes that move independently: plan_lanes.cpp.
-  template <int linear, bool turns>
+  template <int linear, Rotations turning>
   static void step_lanes(const Plan& plan, const FingerWrenches& wrench_C,
                          ObjectState& state) noexcept;
   void step_any(const FingerWrenches& wrench_C, ObjectState& state) const noexcept;
@@ -144,7 +144,7 @@ class Plan {
   }
   /// Three free rotations, or a force that follows one.
   void turn(const Coefficients& steps, const double* rows, ObjectState& state) const noexcept;
-  void turn_freely(double hold_s, const Vec6& held, ObjectState& state) const noexcept;
+  void turn_freely(double hold_s, const Wrench& held, ObjectState& state) const noexcept;
   void follow_about_axis(const Coefficients& steps, const Vec6& held,
                          ObjectState& state) const noexcept;
   /// Translations over one panel of a force that turns; `between(from, to)` gives the forces of a

@@ -12,21 +12,23 @@ namespace isograsp {
 class Plan;
 struct ObjectState;
 
-/// A lane is one free axis: up to three translations, then the rotation. Two lanes stand in one
-/// vector register.
+/// A lane is one free axis: up to three translations, then the rotation or, for the forces alone,
+/// three. Two lanes stand in one vector register.
 struct PlanLanes {
   using Pair = double __attribute__((vector_size(16)));
   using Four = std::array<Pair, 2>;
+  using Six = std::array<Pair, 3>;
 
   Four weight{};  ///< [N]
   Four anchor{};  ///< [m]
   Four force_share{}, position_share{}, x_of_v{}, x_of_off{}, v_of_v{}, v_of_off{};
-  Four about_rest{};                                        ///< 0 or 1
-  std::array<std::array<Four, 3>, kFingerCount> columns{};  ///< of f_x f_y f_z, by contact
+  Four about_rest{};                                       ///< 0 or 1
+  std::array<std::array<Six, 3>, kFingerCount> columns{};  ///< of f_x f_y f_z, by contact
   /// The kernel of this plan; null if it needs more than independent axes.
   void (*step)(const Plan&, const FingerWrenches&, ObjectState&) noexcept = nullptr;
 
-  static void put(Four& lanes, std::size_t lane, double value) {
+  template <std::size_t pairs>
+  static void put(std::array<Pair, pairs>& lanes, std::size_t lane, double value) {
     lanes[lane / 2][lane % 2] = value;
   }
 };

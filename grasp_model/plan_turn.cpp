@@ -3,6 +3,7 @@
 // under a force that turns with the object.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "grasp_model/plan.hpp"
@@ -12,6 +13,11 @@ namespace isograsp {
 
 namespace {
 
+/// Of half of so3::kSpringReach_rad, 1.9 pi.
+constexpr double kCosineOfReach = -0.98768834059513773;
+/// A hold divided by 2^level: exact.
+constexpr std::array<double, kFinestLevel + 1> kPart{1.0,        1.0 / 2.0,  1.0 / 4.0, 1.0 / 8.0,
+                                                     1.0 / 16.0, 1.0 / 32.0, 1.0 / 64.0};
 /// A panel turns the fastest rate by at most this: error of the quadrature below 1e-13 of the
 /// force.
 constexpr double kPanel_rad = 0.5;
@@ -25,7 +31,7 @@ constexpr int kStiffOrder = 5;
 /// kFinestLevel: not possible.
 int level_for(double turn_rad, double part_rad) noexcept {
   int level = 0;
-  while (level <= kFinestLevel && !(std::ldexp(turn_rad, -level) <= part_rad)) ++level;
+  for (; level <= kFinestLevel && !(turn_rad <= part_rad); ++level) turn_rad *= 0.5;
   return level;
 }
 
@@ -95,7 +101,7 @@ void Plan::turn(const Coefficients& steps, const double* rows, ObjectState& stat
   Vec6 held = Vec6::Zero();
   for (std::size_t r = 0; r < row_count_; ++r) held[rows_[r]] = rows[r];
   if (rotations_ == Rotations::three)
-    turn_freely(steps.hold_s, held, state);
+    turn_freely(steps.hold_s, {held.head<3>(), held.tail<3>()}, state);
   else
     follow_about_axis(steps, held, state);
 }
@@ -151,10 +157,10 @@ void Plan::follow_about_axis(const Coefficients& steps, const Vec6& held,
   set_turn(turn, state);
 }
 
-void Plan::turn_freely(double hold_s, const Vec6& held, ObjectState& state) const noexcept {
+void Plan::turn_freely(double hold_s, const Wrench& held, ObjectState& state) const noexcept {
   const bool world = scene_.wrench_frame == WrenchFrame::hand;
-  const Vec3 force_O = held.head<3>();
-  const Vec3 torque = held.tail<3>();
+  const Vec3& force_O = held.force;
+  const Vec3& torque = held.torque;
   so3::SpinRate rate = rate_;
   rate.load(world ? so3::Torques{torque, Vec3::Zero()} : so3::Torques{Vec3::Zero(), torque});
   Quat& q_WO = state.X_WO.q;
@@ -203,9 +209,10 @@ void Plan::turn_freely(double hold_s, const Vec6& held, ObjectState& state) cons
   double error_rad = 0.0;
   for (int slot = 0; slot < kSlots;) {
     const int halvings = std::max(level, 0);
-    const double h_s = std::ldexp(hold_s, -halvings);
+    const double part = kPart[static_cast<std::size_t>(halvings)];
+    const double h_s = part * hold_s;
     const so3::SpinStep step = take(y, h_s);
-    const double allowed_rad = std::ldexp(scene_.tolerance_rad, -halvings);
+    const double allowed_rad = part * scene_.tolerance_rad;
     if (!(step.error_rad <= allowed_rad) && level < kFinestLevel) {
       ++level;
       continue;
@@ -235,17 +242,18 @@ void Plan::turn_freely(double hold_s, const Vec6& held, ObjectState& state) cons
     }
   }
   exceeded = exceeded || !(error_rad <= scene_.tolerance_rad);
-  if (!y.allFinite()) y = so3::pack({so3::unpack(start).q_WO, Vec3::Zero()});
+  if (!(y.squaredNorm() < std::numeric_limits<double>::infinity()))
+    y = so3::pack({so3::unpack(start).q_WO, Vec3::Zero()});
   if (rate_.watched() || (exceeded && hard))
     error_rad += rate.limit_energy(rate.energy(start) + y[7], y);
   rate.settle(y);
   y.head<4>() /= y.head<4>().norm();
   const so3::Spin spin = so3::unpack(y);
-  if (!body().stiffness.isZero(0.0) && so3::log(spin.q_WO).norm() > so3::kSpringReach_rad)
-    exceeded = true;
+  // The angle is beyond kSpringReach_rad.
+  if (spin.q_WO.w() < kCosineOfReach && rate.spring()) exceeded = true;
   state.level = level;
   state.error_rad = error_rad;
-  state.tolerance_exceeded = exceeded;
+  state.tolerance_exceeded = exceeded || !(error_rad <= scene_.tolerance_rad);
   q_WO.coeffs() = branch_ * spin.q_WO.coeffs();
   state.w_WO_W = q_WO * spin.w_O;
 }

@@ -50,13 +50,13 @@ void SpinRate::load(const Torques& torques) noexcept {
 
 double SpinRate::fastest(const SpinVector& y, double hold_s) const noexcept {
   const double torque = torques_.world.norm() + torques_.body.norm();
-  double gained = 0.0;  // speed
+  double resisting = std::numeric_limits<double>::infinity();  // torque that a speed costs, least
   for (Eigen::Index i = 0; i < 3; ++i) {
     const double I = body_.inertia_kg_m2[i];
-    gained = std::max(gained, I == 0.0 ? torque / body_.damping[i]
-                                       : torque / std::max(I / hold_s, body_.damping[i]));
+    const double C = body_.damping[i];
+    resisting = std::min(resisting, I == 0.0 ? C : std::max(I / hold_s, C));
   }
-  return y.segment<3>(4).norm() + gained + own_rate_;
+  return y.segment<3>(4).norm() + torque / resisting + own_rate_;
 }
 
 Vec3 SpinRate::held(const SpinVector& y) const noexcept {

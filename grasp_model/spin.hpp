@@ -45,6 +45,7 @@ class SpinRate {
   void load(const Torques& torques) noexcept;
   /// Steps count the work of the torques and look out for a cheaper order.
   void watch() noexcept { watched_ = true; }
+  [[nodiscard]] bool spring() const noexcept { return spring_; }
   [[nodiscard]] bool watched() const noexcept { return watched_; }
 
   /// Sets the velocity of massless axes to that at which their damper balances all other torques.
@@ -126,6 +127,9 @@ using StageStates = std::array<SpinVector, 12>;
 /// One explicit step. `seen`: the states at its stages, if wanted. Real-time safe.
 [[nodiscard]] SpinStep explicit_step(Order order, const SpinRate& rate, const SpinVector& start,
                                      double h_s, StageStates* seen) noexcept;
+/// The same bits without the wide registers of this processor.
+[[nodiscard]] SpinStep explicit_step_narrow(Order order, const SpinRate& rate,
+                                            const SpinVector& start, double h_s) noexcept;
 /// The state between the ends of a step at `share` of it: the cubic in the Lie algebra that fits
 /// both velocities. Real-time safe.
 [[nodiscard]] SpinVector between(const SpinVector& start, const SpinVector& end, double h_s,

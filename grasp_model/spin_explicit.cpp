@@ -2,6 +2,7 @@
 // The explicit steps. I w' = tau - C w - spring(q) - w x I w,  q' = q (0, w) / 2, w in body axes.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "grasp_model/angle_ratio.hpp"
 #include "grasp_model/dormand_prince.hpp"
@@ -13,190 +14,185 @@ namespace isograsp::so3 {
 
 namespace {
 
-using Pair = double __attribute__((vector_size(16)));
+using Four = double __attribute__((vector_size(32)));
 
-/// A SpinVector in the registers of the processor: (qw qx)(qy qz)(wx wy)(wz work). In other widths
-/// than it was written, a vector would be read late.
+/// A SpinVector in registers: (qw qx qy qz)(wx wy wz work). Everything on it is inlined into the
+/// functions at the end, which exist for processors with and without registers of this width. No
+/// product is fused with a sum, so both give the same bits.
 struct Lanes {
   using Scalar = double;
-  std::array<Pair, 4> p;
+  Four q, w;
 };
 [[gnu::always_inline]] inline Lanes operator+(const Lanes& a, const Lanes& b) noexcept {
-  return {{a.p[0] + b.p[0], a.p[1] + b.p[1], a.p[2] + b.p[2], a.p[3] + b.p[3]}};
+  return {a.q + b.q, a.w + b.w};
 }
 [[gnu::always_inline]] inline Lanes operator-(const Lanes& a, const Lanes& b) noexcept {
-  return {{a.p[0] - b.p[0], a.p[1] - b.p[1], a.p[2] - b.p[2], a.p[3] - b.p[3]}};
+  return {a.q - b.q, a.w - b.w};
 }
 [[gnu::always_inline]] inline Lanes operator*(double c, const Lanes& a) noexcept {
-  return {{c * a.p[0], c * a.p[1], c * a.p[2], c * a.p[3]}};
-}
-[[gnu::always_inline]] inline Lanes lanes_of(const SpinVector& y) noexcept {
-  return {{Pair{y[0], y[1]}, Pair{y[2], y[3]}, Pair{y[4], y[5]}, Pair{y[6], y[7]}}};
-}
-[[gnu::always_inline]] inline void store(const Lanes& a, SpinVector& y) noexcept {
-  for (std::size_t i = 0; i < 4; ++i) {
-    y[static_cast<Eigen::Index>(2 * i)] = a.p[i][0];
-    y[static_cast<Eigen::Index>(2 * i + 1)] = a.p[i][1];
-  }
-}
-[[gnu::always_inline]] inline Pair across(Pair a, Pair b) noexcept {
-  return Pair{a[1], b[0]};
-}
-[[gnu::always_inline]] inline Pair swapped(Pair a) noexcept {
-  return Pair{a[1], a[0]};
-}
-[[gnu::always_inline]] inline Pair both(double a) noexcept {
-  return Pair{a, a};
+  return {c * a.q, c * a.w};
 }
 
 /// A difference of attitudes as the angle it means [rad].
 [[gnu::always_inline]] inline double angle_of(const Lanes& difference) noexcept {
-  const Pair squares = difference.p[0] * difference.p[0] + difference.p[1] * difference.p[1];
-  return 2.0 * std::sqrt(squares[0] + squares[1]);
+  const Four squares = difference.q * difference.q;
+  return 2.0 * std::sqrt((squares[0] + squares[2]) + (squares[1] + squares[3]));
 }
 /// The same with what the difference of velocities turns in a step: where the one happens to
 /// vanish, the other does not.
 [[gnu::always_inline]] inline double size_of(const Lanes& difference, double h_s) noexcept {
-  const Pair attitude = difference.p[0] * difference.p[0] + difference.p[1] * difference.p[1];
-  const Pair velocity = difference.p[2] * difference.p[2];
-  const double square = (velocity[0] + velocity[1]) + difference.p[3][0] * difference.p[3][0];
-  return std::sqrt(4.0 * (attitude[0] + attitude[1]) + h_s * h_s * square);
+  const Four q = difference.q * difference.q;
+  const Four w = difference.w * difference.w;
+  return std::sqrt(4.0 * ((q[0] + q[2]) + (q[1] + q[3])) + h_s * h_s * ((w[0] + w[1]) + w[2]));
 }
 
 }  // namespace
 
-/// The right-hand side, two components to a register.
+/// The right-hand side in registers.
 class ExplicitRate {
  public:
-  explicit ExplicitRate(const SpinRate& rate) noexcept : rate_(rate) {
+  [[gnu::always_inline]] explicit ExplicitRate(const SpinRate& rate) noexcept : rate_(rate) {
     const Vec3& I = rate.body_.inertia_kg_m2;
     const Vec3& C = rate.body_.damping;
     const Vec3& tau = rate.torques_.world;
+    const Vec3& body = rate.torques_.body;
     const Vec3& inverse = rate.inverse_inertia_;
-    body_ = Pair{rate.torques_.body.x(), rate.torques_.body.y()};
-    xy_ = Pair{tau.x(), tau.y()};
-    yz_ = Pair{tau.y(), tau.z()};
-    zx_ = Pair{tau.z(), tau.x()};
-    damping_ = Pair{C.x(), C.y()};
-    inverse_ = Pair{inverse.x(), inverse.y()};
-    gyroscopic_ = Pair{I.z() - I.y(), I.x() - I.z()};
-    gyroscopic_z_ = I.y() - I.x();
+    body_ = Four{body.x(), body.y(), body.z(), 0.0};
+    xyz_ = Four{tau.x(), tau.y(), tau.z(), 0.0};
+    yzx_ = Four{tau.y(), tau.z(), tau.x(), 0.0};
+    zxy_ = Four{tau.z(), tau.x(), tau.y(), 0.0};
+    damping_ = Four{C.x(), C.y(), C.z(), 0.0};
+    inverse_ = Four{inverse.x(), inverse.y(), inverse.z(), 0.0};
+    gyroscopic_ = Four{I.z() - I.y(), I.x() - I.z(), I.y() - I.x(), 0.0};
   }
-  [[gnu::always_inline]] Lanes operator()(const Lanes& y) const noexcept {
-    const Pair wx = y.p[0];
-    const Pair yz = y.p[1];
-    const Pair zx = across(yz, Pair{wx[1], 0.0});
-    const Pair xy = across(wx, yz);
-    Pair torque = body_;
-    double torque_z = rate_.torques_.body.z();
+  [[gnu::always_inline]] inline Lanes operator()(const Lanes& y) const noexcept {
+    const Four q = y.q;
+    const Four v = __builtin_shufflevector(q, q, 1, 2, 3, 0);
+    Four torque = body_;
     if (rate_.world_) {  // R^T tau = tau - w s + v x s, s = 2 v x tau, for a unit quaternion
-      const Pair s = both(2.0) * (yz * zx_ - zx * yz_);
-      const double sz = 2.0 * (xy[0] * xy_[1] - xy[1] * xy_[0]);
-      torque += (xy_ - both(wx[0]) * s) + (yz * Pair{sz, s[0]} - zx * Pair{s[1], sz});
-      torque_z += (zx_[0] - wx[0] * sz) + (xy[0] * s[1] - xy[1] * s[0]);
+      const Four v_yzx = __builtin_shufflevector(q, q, 2, 3, 1, 0);
+      const Four v_zxy = __builtin_shufflevector(q, q, 3, 1, 2, 0);
+      const Four s = 2.0 * (v_yzx * zxy_ - v_zxy * yzx_);
+      torque += (xyz_ - q[0] * s) + (v_yzx * __builtin_shufflevector(s, s, 2, 0, 1, 3) -
+                                     v_zxy * __builtin_shufflevector(s, s, 1, 2, 0, 3));
     }
-    Pair ab = y.p[2];
-    double c = y.p[3][0];
+    Four w = y.w;
     double work = 0.0;
-    if (rate_.watched_) work = (torque[0] * ab[0] + torque[1] * ab[1]) + torque_z * c;
+    if (rate_.watched_) {
+      const Four powers = torque * w;
+      work = (powers[0] + powers[1]) + powers[2];
+    }
     if (rate_.spring_) {
-      const double ratio = angle_ratio((xy[0] * xy[0] + xy[1] * xy[1]) + yz[1] * yz[1], wx[0]);
+      const Four squares = q * q;
+      const double ratio = angle_ratio((squares[1] + squares[2]) + squares[3], q[0]);
       if (rate_.even_spring_) {
-        const double pull = rate_.body_.stiffness.x() * ratio;
-        torque -= pull * xy;
-        torque_z -= pull * yz[1];
+        torque -= (rate_.body_.stiffness.x() * ratio) * v;
       } else {
         const Vec3 spring =
-            spring_torque({ratio * xy[0], ratio * xy[1], ratio * yz[1]}, rate_.body_.stiffness);
-        torque += Pair{spring.x(), spring.y()};
-        torque_z += spring.z();
+            spring_torque({ratio * v[0], ratio * v[1], ratio * v[2]}, rate_.body_.stiffness);
+        torque += Four{spring.x(), spring.y(), spring.z(), 0.0};
       }
     }
     if (rate_.massless_) {
-      const Vec3 w_O = rate_.settled({torque[0], torque[1], torque_z}, {ab[0], ab[1], c});
-      ab = Pair{w_O.x(), w_O.y()};
-      c = w_O.z();
+      const Vec3 settled = rate_.settled({torque[0], torque[1], torque[2]}, {w[0], w[1], w[2]});
+      w = Four{settled.x(), settled.y(), settled.z(), 0.0};
     }
-    const Pair bc{ab[1], c};
-    const Pair ca{c, ab[0]};
-    // (-x a - y b - z c, w a + y c - z b) / 2, (w b + z a - x c, w c + x b - y a) / 2
-    return {{Pair{-0.5, 0.5} *
-                 ((swapped(wx) * both(ab[0]) + both(yz[0]) * bc) + both(yz[1]) * Pair{c, -ab[1]}),
-             both(0.5) * ((both(wx[0]) * bc + Pair{yz[1], wx[1]} * ab) - xy * ca),
-             inverse_ * ((torque - damping_ * ab) - (gyroscopic_ * bc) * ca),
-             Pair{rate_.inverse_inertia_.z() *
-                      ((torque_z - rate_.body_.damping.z() * c) - gyroscopic_z_ * ab[0] * ab[1]),
-                  work}}};
+    const Four w_yzx = __builtin_shufflevector(w, w, 1, 2, 0, 3);
+    const Four w_zxy = __builtin_shufflevector(w, w, 2, 0, 1, 3);
+    // (-x a - y b - z c, w a + y c - z b, w b + z a - x c, w c + x b - y a) / 2, w = (a, b, c)
+    Lanes k{};
+    k.q = Four{-0.5, 0.5, 0.5, 0.5} *
+          ((__builtin_shufflevector(q, q, 1, 0, 0, 0) * __builtin_shufflevector(w, w, 0, 0, 1, 2) +
+            __builtin_shufflevector(q, q, 2, 2, 3, 1) * __builtin_shufflevector(w, w, 1, 2, 0, 1)) +
+           __builtin_shufflevector(q, q, 3, 3, 1, 2) *
+               (Four{1.0, -1.0, -1.0, -1.0} * __builtin_shufflevector(w, w, 2, 1, 2, 0)));
+    k.w = inverse_ * ((torque - damping_ * w) - (gyroscopic_ * w_yzx) * w_zxy);
+    k.w[3] = work;
+    return k;
   }
 
  private:
   const SpinRate& rate_;
-  Pair body_, xy_, yz_, zx_, damping_, inverse_, gyroscopic_;
-  double gyroscopic_z_ = 0.0;
+  Four body_, xyz_, yzx_, zxy_, damping_, inverse_, gyroscopic_;
 };
 
 namespace {
 
-/// Rates at the stages of a step, whose states are kept if wanted.
-template <class Stages, class Rates>
-[[gnu::always_inline]] inline void run(const Stages& stages, const SpinRate& rate,
-                                       StageStates* seen, Rates& k) noexcept {
-  const ExplicitRate f(rate);
-  if (seen == nullptr)
-    stages([&](std::size_t, const Lanes& at) { return f(at); }, k);
-  else
-    stages(
-        [&](std::size_t i, const Lanes& at) {
-          store(at, (*seen)[i]);
-          return f(at);
-        },
-        k);
-}
-
-SpinStep third(const SpinRate& rate, const Lanes& y, double h_s, StageStates* seen) noexcept {
-  namespace scheme = bogacki_shampine;
-  std::array<Lanes, scheme::kStages> k;
-  run([&](const auto& f, auto& at) { scheme::stages(y, h_s, f, at); }, rate, seen, k);
-  SpinStep step;
-  store(y + h_s * scheme::increment(k), step.end);
-  step.error_rad = h_s * size_of(scheme::error2(k), h_s);
-  return step;
-}
-
-SpinStep fifth(const SpinRate& rate, const Lanes& y, double h_s, StageStates* seen) noexcept {
-  namespace scheme = cash_karp;
-  std::array<Lanes, scheme::kStages> k;
-  run([&](const auto& f, auto& at) { scheme::stages(y, h_s, f, at); }, rate, seen, k);
-  SpinStep step;
-  store(y + h_s * scheme::increment(k), step.end);
-  step.error_rad = h_s * size_of(scheme::error4(k), h_s);
-  // The second difference of the rates, at 0, 0.3, 0.6.
-  step.coarser_rad = h_s * size_of(1.2 * (k[0] - 2.0 * k[2] + k[3]), h_s);
-  return step;
-}
-
 /// Hairer's combination of the errors of the embedded formulas.
-double combined(double h_s, double error5, double error3) noexcept {
+[[gnu::always_inline]] inline double combined(double h_s, double error5, double error3) noexcept {
   const double both = error5 * error5 + 0.01 * error3 * error3;
   return both == 0.0 ? 0.0 : h_s * error5 * error5 / std::sqrt(both);
 }
 
-SpinStep eighth(const SpinRate& rate, const Lanes& y, double h_s, StageStates* seen) noexcept {
-  namespace scheme = dormand_prince;
-  std::array<Lanes, 12> k;
-  run([&](const auto& f, auto& at) { scheme::stages(y, h_s, f, at); }, rate, seen, k);
-  SpinStep step;
-  store(y + h_s * scheme::increment(k), step.end);
-  const Lanes error5 = scheme::error5(k);
-  const Lanes error3 = scheme::error3(k);
-  step.error_rad = std::max(combined(h_s, angle_of(error5), angle_of(error3)),
-                            0.5 * combined(h_s, size_of(error5, h_s), size_of(error3, h_s)));
-  if (rate.watched())  // the fourth difference of the rates, at 0, 1/4, 3/5, 6/7, 1
-    step.coarser_rad = h_s * size_of(0.07777777777777778 * k[0] - 0.25098039215686274 * k[6] +
-                                         0.46296296296296297 * k[9] - 0.5230936819172113 * k[10] +
-                                         0.23333333333333334 * k[11],
-                                     h_s);
-  return step;
+template <Order order>
+[[gnu::always_inline]] inline void step_of(const SpinRate& rate, const SpinVector& start,
+                                           double h_s, StageStates* seen, SpinStep& step) noexcept {
+  const ExplicitRate rates(rate);
+  const auto f = [&](std::size_t i, const Lanes& at) __attribute__((always_inline)) {
+    if (seen != nullptr) std::memcpy((*seen)[i].data(), &at, sizeof at);
+    return rates(at);
+  };
+  Lanes y;
+  std::memcpy(&y, start.data(), sizeof y);
+  Lanes end;
+  if constexpr (order == Order::third) {
+    namespace scheme = bogacki_shampine;
+    std::array<Lanes, scheme::kStages> k;
+    scheme::stages(y, h_s, f, k);
+    end = y + h_s * scheme::increment(k);
+    step.error_rad = h_s * size_of(scheme::error2(k), h_s);
+  } else if constexpr (order == Order::fifth) {
+    namespace scheme = cash_karp;
+    std::array<Lanes, scheme::kStages> k;
+    scheme::stages(y, h_s, f, k);
+    end = y + h_s * scheme::increment(k);
+    step.error_rad = h_s * size_of(scheme::error4(k), h_s);
+    // The second difference of the rates, at 0, 0.3, 0.6.
+    step.coarser_rad = h_s * size_of(1.2 * (k[0] - 2.0 * k[2] + k[3]), h_s);
+  } else {
+    namespace scheme = dormand_prince;
+    std::array<Lanes, 12> k;
+    scheme::stages(y, h_s, f, k);
+    end = y + h_s * scheme::increment(k);
+    const Lanes error5 = scheme::error5(k);
+    const Lanes error3 = scheme::error3(k);
+    step.error_rad = std::max(combined(h_s, angle_of(error5), angle_of(error3)),
+                              0.5 * combined(h_s, size_of(error5, h_s), size_of(error3, h_s)));
+    if (rate.watched())  // the fourth difference of the rates, at 0, 1/4, 3/5, 6/7, 1
+      step.coarser_rad = h_s * size_of(0.07777777777777778 * k[0] - 0.25098039215686274 * k[6] +
+                                           0.46296296296296297 * k[9] - 0.5230936819172113 * k[10] +
+                                           0.23333333333333334 * k[11],
+                                       h_s);
+  }
+  std::memcpy(step.end.data(), &end, sizeof end);
+}
+
+using StepOf = void(const SpinRate&, const SpinVector&, double, StageStates*, SpinStep&) noexcept;
+
+template <Order order>
+void narrow(const SpinRate& rate, const SpinVector& start, double h_s, StageStates* seen,
+            SpinStep& step) noexcept {
+  step_of<order>(rate, start, h_s, seen, step);
+}
+#if defined(__x86_64__)
+template <Order order>
+[[gnu::target("avx2")]] void wide(const SpinRate& rate, const SpinVector& start, double h_s,
+                                  StageStates* seen, SpinStep& step) noexcept {
+  step_of<order>(rate, start, h_s, seen, step);
+}
+#endif
+
+using Steps = std::array<StepOf*, 3>;
+constexpr Steps kNarrow{&narrow<Order::third>, &narrow<Order::fifth>, &narrow<Order::eighth>};
+
+/// Those of this processor.
+const Steps& steps() noexcept {
+#if defined(__x86_64__)
+  static constexpr Steps kWide{&wide<Order::third>, &wide<Order::fifth>, &wide<Order::eighth>};
+  static const bool has_wide = __builtin_cpu_supports("avx2") != 0;
+  if (has_wide) return kWide;
+#endif
+  return kNarrow;
 }
 
 }  // namespace
@@ -228,13 +224,16 @@ double typical_error_rad(Order order, double turn_rad) noexcept {
 
 SpinStep explicit_step(Order order, const SpinRate& rate, const SpinVector& start, double h_s,
                        StageStates* seen) noexcept {
-  const Lanes y = lanes_of(start);
-  switch (order) {
-    case Order::third: return third(rate, y, h_s, seen);
-    case Order::fifth: return fifth(rate, y, h_s, seen);
-    case Order::eighth: break;
-  }
-  return eighth(rate, y, h_s, seen);
+  SpinStep step;
+  steps()[static_cast<std::size_t>(order)](rate, start, h_s, seen, step);
+  return step;
+}
+
+SpinStep explicit_step_narrow(Order order, const SpinRate& rate, const SpinVector& start,
+                              double h_s) noexcept {
+  SpinStep step;
+  kNarrow[static_cast<std::size_t>(order)](rate, start, h_s, nullptr, step);
+  return step;
 }
 
 }  // namespace isograsp::so3

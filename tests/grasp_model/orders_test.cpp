@@ -125,6 +125,23 @@ TEST(Orders, TheStepOfOrderEightHasTheBitsOfItsFormulasOneByOne) {
   }
 }
 
+TEST(Orders, WideRegistersGiveTheBitsOfNarrowOnes) {
+  Frames dice(4);
+  for (int n = 0; n < 2000; ++n) {
+    SpinRate rate(dice.body());
+    rate.load(dice.torques(rate.body()));
+    if (dice.chance(0.5)) rate.watch();
+    const SpinVector start = pack(dice.spin());
+    for (const Order order : kOrders) {
+      const SpinStep wide = explicit_step(order, rate, start, kHold_s, nullptr);
+      const SpinStep narrow = explicit_step_narrow(order, rate, start, kHold_s);
+      EXPECT_EQ(wide.end, narrow.end) << n;
+      EXPECT_EQ(wide.error_rad, narrow.error_rad) << n;
+      EXPECT_EQ(wide.coarser_rad, narrow.coarser_rad) << n;
+    }
+  }
+}
+
 Scene scene_of(const Body& body, const Spin& start, double tolerance_rad) {
   Scene scene;
   scene.free = {false, false, false, true, true, true};

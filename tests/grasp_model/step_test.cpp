@@ -15,6 +15,7 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
 const std::string kPlanar = "\"x\", \"y\", \"rz\"";
+const std::string kTurning = "\"rx\", \"ry\", \"rz\"";
 const std::string kAll = "\"x\", \"y\", \"z\", \"rx\", \"ry\", \"rz\"";
 
 std::string dynamics(const std::string& free, const std::string& more = "") {
@@ -60,7 +61,8 @@ bool finite(const ObjectState& state) {
 
 TEST(Step, WithAndWithoutTheRecordIsTheSameMotionBitForBit) {
   for (const char* frame : {"hand", "object"})
-    for (const std::string& free : {std::string("\"rz\""), std::string("\"x\""), kPlanar, kAll})
+    for (const std::string& free : {std::string("\"rz\""), std::string("\"x\""), kPlanar, kAll,
+                                    kTurning, "\"y\", " + kTurning, "\"x\", \"z\", " + kTurning})
       for (const ContactModel model :
            {ContactModel::frictionless, ContactModel::point, ContactModel::soft}) {
         Scene scene = scene_with(free, std::string("wrench_frame = \"") + frame + "\"");

@@ -2,6 +2,7 @@
 // The product itself: from nine finger force components to the new pose and velocity, and, for
 // comparison with engines that get the wrench ready-made, the motion alone.
 #include <stdexcept>
+#include <string>
 
 #include "bench/harness.hpp"
 #include "core/csv.hpp"
@@ -17,9 +18,11 @@ T value_or_throw(Result<T> result) {
   return std::move(*result);
 }
 
-Plan plan_of(const Case& scene) {
+/// `tolerance_rad` 0: that of the scene.
+Plan plan_of(const Case& scene, double tolerance_rad = 0.0) {
   Scene parsed =
       value_or_throw(parse_scene(value_or_throw(read_text(scene.scene_file)), scene.scene_file));
+  if (tolerance_rad > 0.0) parsed.tolerance_rad = tolerance_rad;
   if (scene.follows) parsed.wrench_frame = WrenchFrame::object;
   return value_or_throw(Plan::compile(parsed, scene.hold_s));
 }
@@ -37,8 +40,8 @@ enum class Path : std::uint8_t { step, grasp_and_move };
 
 class FromFingers : public Simulation {
  public:
-  FromFingers(const Case& scene, Path path)
-      : plan_(plan_of(scene)), state_(plan_.initial_state()), path_(path) {
+  FromFingers(const Case& scene, Path path, double tolerance_rad = 0.0)
+      : plan_(plan_of(scene, tolerance_rad)), state_(plan_.initial_state()), path_(path) {
     for (const auto& nine : scene.fingers) {
       FingerWrenches& wrench_C = wrenches_C_.emplace_back();
       for (std::size_t f = 0; f < kFingerCount; ++f)
@@ -82,16 +85,26 @@ class MoveOnly : public Simulation {
   std::vector<Wrench> pushes_;
 };
 
-std::vector<Method> methods(const Case& /*scene*/) {
+std::vector<Method> methods(const Case& scene) {
   const auto from_fingers = [](Path path) {
     return [path](const Case& c) { return std::make_unique<FromFingers>(c, path); };
   };
-  return {{"plan", 0, "nine finger forces in: hysteresis, friction clamp, grasp map and motion",
-           from_fingers(Path::step)},
-          {"plan, recorded", 0, "the same in two halves, with all that a session records",
-           from_fingers(Path::grasp_and_move)},
-          {"plan, motion alone", 0, "wrench in, as the other engines get it",
-           [](const Case& c) { return std::make_unique<MoveOnly>(c); }}};
+  std::vector<Method> all{
+      {"plan", 0, "nine finger forces in: hysteresis, friction clamp, grasp map and motion",
+       from_fingers(Path::step)},
+      {"plan, recorded", 0, "the same in two halves, with all that a session records",
+       from_fingers(Path::grasp_and_move)},
+      {"plan, motion alone", 0, "wrench in, as the other engines get it",
+       [](const Case& c) { return std::make_unique<MoveOnly>(c); }}};
+  if (scene.free_rotations() < 3) return all;
+  // The whole curve: what a coarser answer costs.
+  for (const char* tolerance_rad : {"1e-8", "1e-7", "1e-5", "1e-4", "1e-3", "3e-3", "1e-1"})
+    all.push_back({std::string("plan, tolerance ") + tolerance_rad, 0,
+                   "as plan, with this tolerance_rad in the scene",
+                   [value = std::stod(tolerance_rad)](const Case& c) {
+                     return std::make_unique<FromFingers>(c, Path::step, value);
+                   }});
+  return all;
 }
 
 }  // namespace

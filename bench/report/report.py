@@ -97,9 +97,9 @@ def levels(results, parts):
         row = [scene["scene"], f"{time(own.ns)}, {small(own.error)}"]
         before = None
         for level, _ in LEVELS:
-            peer = cheapest(points, level, parts)
-            row.append("〃" if peer and peer is before else cell(peer, own))
-            before = peer
+            both = cheapest(points, level, parts), results.ours_within(scene["scene"], level)
+            row.append("〃" if both[0] and both == before else cell(*both))
+            before = both
         row.append(cell(cheapest(points, own.error, parts), own))
         rows.append(row)
     return table(["scene", "IsoGrasp", *(name for _, name in LEVELS), "as exact as IsoGrasp"],
@@ -107,11 +107,13 @@ def levels(results, parts):
 
 
 def wins(results):
-    """All peers' points that are not both slower and less exact than ours."""
+    """All peers' points that are not both slower and less exact than one of ours."""
     lines = []
     for scene in results.compared():
         points, own = results.of(scene["scene"]), results.ours(scene["scene"])
-        peers = [p for p in points if p.peer and p.answers]
+        mine = [p for p in points if p.curve]
+        peers = [p for p in points if p.peer and p.answers and
+                 not any(m.ns <= p.ns and m.error < p.error for m in mine)]
         faster = [p for p in peers if p.ns < own.ns]
         exacter = [p for p in peers if p.error <= own.error]
         if faster:
@@ -148,7 +150,8 @@ def closest(results):
         row = [scene["scene"]]
         for level in (1.0, 1e-1, 1e-2):
             peer = cheapest(points, level, False)
-            row.append(times(ratio(peer, own)) if peer else "none")
+            mine = results.ours_within(scene["scene"], level)
+            row.append(times(ratio(peer, mine)) if peer else "none")
         row += [f"{best.name}: {small(best.error)} in {time(best.ns)}",
                 f"{small(own.error)} in {time(own.ns)}"]
         rows.append(row)

@@ -32,6 +32,12 @@ class Point:
         return (self.engine, self.integrator) == OURS
 
     @property
+    def curve(self):
+        """Ours with the default or a coarser tolerance."""
+        return self.ours or (self.engine == OURS[0] and
+                             self.integrator.startswith("plan, tolerance "))
+
+    @property
     def by_hand(self):
         return self.engine == "by hand"
 
@@ -84,6 +90,11 @@ class Results:
 
     def ours(self, scene):
         return next(p for p in self.of(scene) if p.ours)
+
+    def ours_within(self, scene, level):
+        """The cheapest of our tolerances whose error is at most `level`."""
+        fit = [p for p in self.of(scene) if p.curve and p.answers and p.error <= level]
+        return min(fit, key=lambda p: p.ns, default=self.ours(scene))
 
     def compared(self):
         """Scenes that other engines run too."""

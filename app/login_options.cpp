@@ -3,6 +3,8 @@
 
 #include <filesystem>
 
+#include "app/console.hpp"
+
 namespace isograsp::app {
 
 namespace {
@@ -45,6 +47,7 @@ Result<std::unique_ptr<storage::Access>> logged_in(Result<std::unique_ptr<storag
         .at(database);
   if (asks)
     if (const auto done = log_in_to(**access, options); !done) return done.error();
+  for (const Text& notice : (*access)->notices()) print_note(notice);
   return access;
 }
 

@@ -3,6 +3,7 @@
 #include "storage/access/access.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <ctime>
 #include <filesystem>
@@ -15,6 +16,7 @@
 #include "storage/access/audit_head_file.hpp"
 #include "storage/access/user_rows.hpp"
 #include "storage/file/open_mode.hpp"
+#include "storage/file/schema_access.hpp"
 
 namespace isograsp::storage {
 
@@ -44,20 +46,43 @@ void take_in_failures(Database& database, const LoginState& state) {
   sql << "DELETE FROM login_failures";
 }
 
+/// A revoked account or an old passphrase that was put back opens nothing.
+Result<void> prove_accounts(Database& database, const Secret& key) {
+  if (database.format() < schema::kSealFormat) return {};
+  constexpr std::array<std::string_view, 2> kAccounts{"key_slots", "users"};
+  const auto problems = seal_problems(database, &key, kAccounts);
+  if (!problems) return problems.error();
+  if (problems->empty()) return {};
+  return failed("accounts or seals were changed by another program: %1"_text(problems->front()),
+                "put back the last backup: isograsp db restore"_text)
+      .at(database.path());
+}
+
 Result<void> open_for(Access::Parts& parts, SlotOwner owner, const Secret& password,
                       const std::string& path) {
   const std::lock_guard lock(parts.mutex);
   if (!parts.login->is_protected())
     return refused("asks for no login"_text, "leave the login out"_text).at(path);
   std::optional<KeySlot> slot;
-  const auto read = parts.database.guard("logging in"_text, [&] {
+  std::int64_t wait = 0;
+  int failed_count = 0;
+  const auto look = [&] {
     soci::session& sql = parts.database.sql();
     if (owner.kind == SlotKind::user)
       if (const auto user = find_user(sql, owner.user.name)) owner.user = *user;
     slot = read_slot(sql, owner);
-  });
-  if (!read) return read.error();
-  const std::int64_t wait = slot ? seconds_to_wait(*slot, parts.clock()) : 0;
+    if (!slot) return;
+    wait = seconds_to_wait(*slot, parts.clock());
+    failed_count = slot->failed_count + 1;
+    if (wait > 0 || !parts.writable) return;
+    // Counted as a wrong one before it is tried: who tries many at once waits for each of them.
+    const std::int64_t retry_at = parts.clock() + delay_after(failed_count);
+    sql << "UPDATE key_slots SET failed_count = :count, retry_at_unix_s = :at WHERE id = :id",
+        soci::use(failed_count), soci::use(retry_at), soci::use(slot->id);
+  };
+  const auto counted = parts.writable ? parts.database.transact("logging in"_text, look)
+                                      : parts.database.guard("logging in"_text, look);
+  if (!counted) return counted.error();
   if (wait > 0)
     return refused("too many wrong passwords"_text, "wait %1 s, then try again"_text(wait))
         .at(path);
@@ -65,29 +90,25 @@ Result<void> open_for(Access::Parts& parts, SlotOwner owner, const Secret& passw
   auto keys = slot ? open_slot(*slot, owner, password) : std::nullopt;
   const std::string now_utc = utc_text(std::time(nullptr));
   if (!keys) {
-    const int failed_count = slot ? slot->failed_count + 1 : 0;
     if (parts.writable) {
       // A name that nobody has could be a password in the wrong field: it is not written down.
       const std::string who = slot ? owner.user.name : "unknown user";
-      const std::int64_t retry_at = parts.clock() + delay_after(failed_count);
-      const auto counted = parts.database.transact("logging in"_text, [&] {
-        soci::session& sql = parts.database.sql();
-        if (slot)
-          sql << "UPDATE key_slots SET failed_count = :count, retry_at_unix_s = :at WHERE id = :id",
-              soci::use(failed_count), soci::use(retry_at), soci::use(slot->id);
-        sql << "INSERT INTO login_failures (at_utc, who) VALUES (:at, :who)", soci::use(now_utc),
-            soci::use(who);
+      const auto noted = parts.database.transact("logging in"_text, [&] {
+        parts.database.sql() << "INSERT INTO login_failures (at_utc, who) VALUES (:at, :who)",
+            soci::use(now_utc), soci::use(who);
       });
-      if (!counted) return counted.error();
+      if (!noted) return noted.error();
     }
     const std::int64_t next = delay_after(failed_count);
     return refused("name or password is wrong"_text,
                    next == 0 ? "try again"_text : "wait %1 s, then try again"_text(next))
         .at(path);
   }
+  if (const auto proved = prove_accounts(parts.database, keys->audit); !proved) return proved;
 
   const Login before = parts.login->login();
   parts.login->set({std::make_shared<const Keys>(*std::move(keys)), owner.user, false});
+  parts.notices = notices_of_head(parts.database, *parts.login);
   if (!parts.writable) return {};
   AuditEntry entry = entry_of("login", owner.user.name);
   auto logged = audited(parts.database, *parts.login, entry, [&] {
@@ -100,8 +121,12 @@ Result<void> open_for(Access::Parts& parts, SlotOwner owner, const Secret& passw
       take_in_failures(parts.database, *parts.login);
     });
   });
-  if (!logged) parts.login->set(before);
-  return logged;
+  if (!logged) {
+    parts.login->set(before);
+    return logged;
+  }
+  parts.login->count_pin(owner.user.id, true);
+  return {};
 }
 
 }  // namespace
@@ -240,6 +265,11 @@ Result<void> Access::log_in_with_recovery_key(const Secret& key) {
         .at(path());
   return open_for(*parts_, holder_of(parts_->login->database_id(), SlotKind::recovery), *digits,
                   path());
+}
+
+std::vector<Text> Access::notices() const {
+  const std::lock_guard lock(parts_->mutex);
+  return parts_->notices;
 }
 
 void Access::lock() {

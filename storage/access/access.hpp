@@ -92,12 +92,16 @@ class Access {
   [[nodiscard]] Result<std::vector<User>> users();
   [[nodiscard]] Result<AccessPolicy> policy();
 
-  // Login. Wrong ones are counted in the file and logged; the error says how long to wait. A login
+  // Login. Wrong ones are counted in the file and logged, before they are tried; the error says how
+  // long to wait. Refused too: accounts, slots or seals that another program has changed. A login
   // replaces the one before and ends a lock.
   [[nodiscard]] Result<void> log_in(const std::string& user, const Secret& password);
   [[nodiscard]] Result<void> log_in_with_passphrase(const Secret& passphrase);
   /// Blanks, '-' and capital letters are ignored.
   [[nodiscard]] Result<void> log_in_with_recovery_key(const Secret& key);
+  /// What the last login found strange though it opened: an older file that was put back. To be
+  /// said to who logged in.
+  [[nodiscard]] std::vector<Text> notices() const;
   /// Names another person (or the same one again, after a lock) without a password: only in a
   /// process that somebody with keys for as much has opened. Three wrong ones: the password.
   [[nodiscard]] Result<void> switch_user(const std::string& user, const Secret& pin);

@@ -41,8 +41,10 @@ Result<void> check_pin(const Secret& pin) {
   return {};
 }
 
+/// With all that the PIN makes somebody: a role that is changed in the file opens nothing.
 std::string pin_place(const std::string& database_id, const User& user) {
-  return "pin\n" + database_id + "\n" + std::to_string(user.id);
+  return "pin 2\n" + database_id + "\n" + std::to_string(user.id) + "\n" +
+         std::string(name_of(user.role)) + "\n" + user.name;
 }
 
 User required_user(soci::session& sql, const std::string& name) {
@@ -261,6 +263,8 @@ Result<void> Access::switch_user(const std::string& name, const Secret& pin) {
           soci::into(sealed), soci::into(failed_count);
   });
   if (!read) return read.error();
+  // In memory too: what stands in the file can be put back.
+  if (user) failed_count = std::max(failed_count, parts_->login->wrong_pins(user->id));
   if (!user || sealed.empty() || failed_count >= kMostWrongPins)
     return refused("the PIN cannot be used now"_text, "log in with the password"_text).about("pin");
   if (!before.keys->suffice_for(user->role))
@@ -269,10 +273,15 @@ Result<void> Access::switch_user(const std::string& name, const Secret& pin) {
         .about("pin");
   const auto check =
       unseal(before.keys->pin, pin_place(parts_->login->database_id(), *user), sealed);
-  const bool right = check && check->size() == crypto_pwhash_STRBYTES &&
+  if (!check)
+    return refused("the PIN was set for another name or role, or by an older program"_text,
+                   "log in with the password and set it again"_text)
+        .about("pin");
+  const bool right = check->size() == crypto_pwhash_STRBYTES &&
                      check->data()[check->size() - 1] == 0 &&
                      crypto_pwhash_str_verify(reinterpret_cast<const char*>(check->data()),
                                               pin.text().data(), pin.size()) == 0;
+  parts_->login->count_pin(user->id, right);
   AuditEntry entry = entry_of("switch user", user->name);
   if (!right) entry.result = "refused";
   if (right) parts_->login->set({before.keys, user, false});

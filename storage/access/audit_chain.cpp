@@ -102,6 +102,23 @@ void note_head(Database& database, const LoginState& state, const AuditHead& hea
   write_head_file(database.real_path(), key, state.database_id(), head);
 }
 
+std::vector<Text> notices_of_head(Database& database, const LoginState& state) {
+  const Login login = state.login();
+  const HeadFile there =
+      read_head_file(database.real_path(), audit_key(login), state.database_id());
+  if (!there.present) return {};
+  if (!there.head) return {"audit log: the file -audit beside the database was changed"_text};
+  std::string hash;
+  const auto read = database.guard("reading the audit log"_text, [&] {
+    database.sql() << "SELECT hash FROM audit_log WHERE id = :id", soci::use(there.head->count),
+        soci::into(hash);
+  });
+  if (read && hash == there.head->hash) return {};
+  return {
+      "the file is older than its audit log once was, or was cut: entry %1 is not there (run isograsp db check)"_text(
+          there.head->count)};
+}
+
 Result<void> audited(Access& access, const Text& doing, AuditEntry entry,
                      const std::function<void(AuditEntry&)>& work) {
   Access::Parts& parts = access.parts();

@@ -6,6 +6,7 @@
 #include <ctime>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "core/time.hpp"
 #include "storage/access/audit_log.hpp"
@@ -34,6 +35,9 @@ AuditHead append_audit(Database& database, const LoginState& state, AuditEntry e
 /// it. A file that does not fit the log is left as it is: it is evidence. Problems are ignored (the
 /// entry itself is stored).
 void note_head(Database& database, const LoginState& state, const AuditHead& head);
+
+/// Does the log fit FILE-audit? Nothing: it does, or there is none.
+[[nodiscard]] std::vector<Text> notices_of_head(Database& database, const LoginState& state);
 
 /// Runs `work`, which does one transaction of `database`, and stores `entry` in that transaction.
 /// If it fails, an entry that says so is stored alone. `complete` may add at the end of the

@@ -2,10 +2,12 @@
 #include "storage/access/login.hpp"
 
 #include <array>
+#include <filesystem>
 #include <map>
 
 #include <soci/soci.h>
 
+#include "storage/access/audit_head_file.hpp"
 #include "storage/file/schema_access.hpp"
 
 namespace isograsp::storage {
@@ -70,12 +72,53 @@ bool LoginState::allows(Right right) const {
   return login_.user && login_.keys && !login_.locked && may(login_.user->role, right);
 }
 
+int LoginState::wrong_pins(RowId user) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = wrong_pins_.find(user);
+  return found == wrong_pins_.end() ? 0 : found->second;
+}
+
+void LoginState::count_pin(RowId user, bool right) {
+  const std::lock_guard lock(mutex_);
+  if (right)
+    wrong_pins_.erase(user);
+  else
+    ++wrong_pins_[user];
+}
+
+namespace {
+
+/// What only a protected database has is there, but no key slot: somebody has removed them, so that
+/// the file would be taken for one that asks for no login.
+void refuse_if_slots_were_removed(Database& database) {
+  std::string query =
+      "SELECT EXISTS (SELECT 1 FROM users) OR EXISTS (SELECT 1 FROM identities WHERE sealed <> '') "
+      "OR EXISTS (SELECT "
+      "1 FROM patient_profiles WHERE notes LIKE 'sealed:_:%' OR goals LIKE 'sealed:_:%')";
+  if (database.format() >= schema::kSealFormat)
+    query += " OR EXISTS (SELECT 1 FROM row_seals WHERE of_table = 'key_slots')";
+  int traces = 0;
+  database.sql() << query, soci::into(traces);
+  std::error_code ignored;
+  if (traces == 0 && !std::filesystem::exists(head_file_of(database.real_path()), ignored)) return;
+  throw Refusal{refused(traces != 0 ? "was protected, but its key slots are gone"_text
+                                    : "has no key slots, but the file -audit of a protected "
+                                      "database stands beside it"_text,
+                        traces != 0 ? "put back the last backup: isograsp db restore"_text
+                                    : "put back the last backup: isograsp db restore; if -audit "
+                                      "is of another database, move it away"_text)
+                    .at(database.path())};
+}
+
+}  // namespace
+
 std::shared_ptr<LoginState> login_state_of(Database& database) {
   if (database.format() < schema::kAccessFormat) return LoginState::of("", false);
   std::string id;
   int slots = 0;
   database.sql() << "SELECT database_id, (SELECT count(*) FROM key_slots) FROM access_settings",
       soci::into(id), soci::into(slots);
+  if (slots == 0) refuse_if_slots_were_removed(database);
   auto state = LoginState::of(id, slots > 0);
   seal_with_keys_of(state, database);
   return state;

@@ -3,11 +3,13 @@
 // the file and to its copies. Inside storage/ only.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "storage/access/access.hpp"
 #include "storage/access/vault.hpp"
@@ -37,12 +39,16 @@ class LoginState {
   void set(Login login);
   void lock();
   [[nodiscard]] bool allows(Right right) const;
+  /// PINs that were wrong in a row in this process.
+  [[nodiscard]] int wrong_pins(RowId user) const;
+  void count_pin(RowId user, bool right);  ///< a password counts as right
 
  private:
   const std::string database_id_;
   const bool protected_;
   mutable std::mutex mutex_;
   Login login_;
+  std::map<RowId, int> wrong_pins_;
 };
 
 /// Reads the identity of the file, whose rows are then sealed with its keys; in a guard of the
@@ -66,6 +72,7 @@ struct Access::Parts {
   std::shared_ptr<LoginState> login;
   UtcClock clock;
   bool writable;
+  std::vector<Text> notices;  ///< of the last login
 };
 
 }  // namespace isograsp::storage

@@ -161,6 +161,10 @@ Result<void> create_file(const std::string& path, const fs::path& real_path, boo
     tidy();
     return failed("making the database: %1"_text(why.what()), "try again"_text).at(path);
   }
+  // That of a protected database of this name which is gone.
+  const std::string head = real_path.string() + "-audit";
+  if (fs::exists(head, ignored) && !fs::exists(real_path, ignored))
+    fs::rename(head, free_name(head + ".old"), ignored);
   const bool named = ::link(temporary.c_str(), real_path.c_str()) == 0 || errno == EEXIST;
   std::error_code failure;
   if (!named) fs::rename(temporary, real_path, failure);  // a file system without hard links
@@ -179,6 +183,7 @@ void limit(soci::session& sql) {
   constexpr int kLargestValue = (1 << 27) + (1 << 20);  // bytes
   auto* const backend = static_cast<soci::sqlite3_session_backend*>(sql.get_backend());
   sqlite_api::sqlite3_limit(backend->conn_, SQLITE_LIMIT_LENGTH, kLargestValue);
+  sqlite_api::sqlite3_db_config(backend->conn_, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   sql << "PRAGMA cell_size_check=ON";
 }
 

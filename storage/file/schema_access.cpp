@@ -123,6 +123,8 @@ constexpr std::array kSealStatements{
   chain BLOB NOT NULL CHECK (length(chain) = 32)
 ) STRICT)",
 
+    // Is there any? A database without key slots is asked so.
+    "CREATE INDEX row_seals_of_slots ON row_seals (id) WHERE of_table = 'key_slots'",
     "CREATE TRIGGER row_seals_are_not_changed BEFORE UPDATE ON row_seals "
     "BEGIN SELECT RAISE(ABORT, 'seals are only added'); END",
     "CREATE TRIGGER row_seals_are_not_cut BEFORE DELETE ON row_seals "

@@ -6,6 +6,7 @@
 
 #include "core/staging_folder.hpp"
 #include "storage/file/open_mode.hpp"
+#include "storage/file/schema_check.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
 
 namespace isograsp::storage {
@@ -35,6 +36,8 @@ Result<std::vector<Text>> SqliteStore::check_through(SessionStore& door) {
     while (foreign.fetch())
       problems.push_back(
           "row %1 of %2 refers to a row of %3 that does not exist"_text(row, table, line));
+    for (Text& problem : schema_problems(sql, database_.format()))
+      problems.push_back(std::move(problem));
     RowId session = 0;
     soci::statement select =
         (sql.prepare << "SELECT id FROM sessions ORDER BY id", soci::into(session));

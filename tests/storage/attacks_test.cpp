@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Somebody has the file of a protected database, an SQL program and no password, or an account that
+// was taken away: nobody becomes more than they are.
+#include <atomic>
+#include <filesystem>
+#include <thread>
+
+#include <soci/soci.h>
+#include <soci/sqlite3/soci-sqlite3.h>
+
+#include "storage/access/open_store.hpp"
+#include "storage/care/backups.hpp"
+#include "tests/storage/protected_clinic.hpp"
+#include "tests/support/every.hpp"
+
+namespace isograsp::storage::attacks_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Attacked : ProtectedClinic {
+  Attacked() {
+    as("Theo");
+    must(set_own_pin(*access, secret("2580")));
+    must(opened(path)->add_patient("P-1"));
+  }
+  void execute(const std::vector<std::string>& statements) const {
+    soci::session sql(soci::sqlite3, "db=\"" + path + "\"");
+    for (const std::string& statement : statements) sql << statement;
+  }
+  [[nodiscard]] std::string copy(const std::string& name) const {
+    must(opened(path, OpenMode::existing)->save_copy(folder.file(name)));
+    return folder.file(name);
+  }
+};
+
+TEST_F(Attacked, ARoleThatWasEditedIsNotReachedByThePin) {
+  as("Ada");
+  execute({"UPDATE users SET role = 'administrator' WHERE name = 'Theo'"});
+  EXPECT_NE(refusal(access->switch_user("Theo", secret("2580"))).find("another name or role"),
+            std::string::npos);
+  EXPECT_EQ(access->user()->name, "Ada");
+}
+
+TEST_F(Attacked, AnotherNameIsNotReachedByThePinEither) {
+  as("Ada");
+  execute({"UPDATE users SET name = 'Theodor' WHERE name = 'Theo'"});
+  EXPECT_NE(refusal(access->switch_user("Theodor", secret("2580"))), "");
+}
+
+TEST_F(Attacked, WrongPinsAreCountedInMemoryThoughTheFileIsPutBack) {
+  for (int i = 0; i < kMostWrongPins; ++i) {
+    EXPECT_NE(refusal(access->switch_user("Theo", secret("1111"))), "");
+    execute({"UPDATE users SET pin_failed_count = 0"});
+  }
+  EXPECT_NE(refusal(access->switch_user("Theo", secret("2580"))).find("cannot be used now"),
+            std::string::npos);
+  as("Theo");
+  must(access->switch_user("Theo", secret("2580")));
+}
+
+TEST_F(Attacked, WithoutItsKeySlotsItDoesNotBecomeADatabaseWithoutProtection) {
+  access.reset();
+  const std::string sound = folder.file("sound.db");
+  fs::copy_file(path, sound);
+  const std::vector<std::string> traces{"DELETE FROM key_slots", "DELETE FROM users",
+                                        "DROP TRIGGER row_seals_are_not_cut",
+                                        "DELETE FROM row_seals"};
+  for (std::size_t count = 1; count <= traces.size(); ++count) {
+    for (const char* suffix : {"-wal", "-shm"}) fs::remove(path + suffix);
+    fs::copy_file(sound, path, fs::copy_options::overwrite_existing);
+    execute({"PRAGMA foreign_keys=OFF"});
+    execute({traces.begin(), traces.begin() + static_cast<std::ptrdiff_t>(count)});
+    EXPECT_FALSE(Access::open(path).ok()) << count;
+    EXPECT_FALSE(open_store(path, OpenMode::existing).ok()) << count;
+    EXPECT_FALSE(open_store(path, OpenMode::read_only).ok()) << count;
+  }
+  EXPECT_NE(refusal(Access::open(path)).find("-audit"), std::string::npos)
+      << "the last trace stands beside the file";
+}
+
+TEST_F(Attacked, ARevokedAccountThatIsPutBackOpensNothing) {
+  const std::string before = copy("before.db");
+  as("Ada");
+  must(remove_user(*access, "Theo"));
+  access.reset();
+  execute({"ATTACH DATABASE '" + before + "' AS old", "PRAGMA foreign_keys=OFF",
+           "DELETE FROM users", "DELETE FROM key_slots",
+           "INSERT INTO users SELECT * FROM old.users",
+           "INSERT INTO key_slots SELECT * FROM old.key_slots"});
+  access = must(Access::open(path));
+  EXPECT_NE(refusal(access->log_in("Theo", secret("theo's password"))).find("key_slots: row"),
+            std::string::npos);
+  EXPECT_FALSE(access->user());
+}
+
+TEST_F(Attacked, AnOldPassphraseThatIsPutBackOpensNothing) {
+  const std::string before = copy("before.db");
+  as("Ada");
+  must(change_passphrase(*access, secret("another passphrase"), kCheapKeyCost));
+  access.reset();
+  execute({"ATTACH DATABASE '" + before + "' AS old",
+           "DELETE FROM key_slots WHERE kind = 'passphrase'",
+           "INSERT INTO key_slots SELECT * FROM old.key_slots WHERE kind = 'passphrase'"});
+  access = must(Access::open(path));
+  EXPECT_NE(refusal(access->log_in_with_passphrase(secret("the clinic's passphrase"))), "");
+  EXPECT_FALSE(access->user());
+}
+
+TEST_F(Attacked, WrongPasswordsThatAreTriedAtOnceAreCountedOneByOne) {
+  access.reset();
+  constexpr int kAtOnce = 8;
+  constexpr int kFree = 3;  // the third begins to wait
+  std::atomic<int> tried = 0;
+  std::vector<std::thread> threads;
+  for (int i = 0; i < kAtOnce; ++i)
+    threads.emplace_back([&] {
+      const auto mine = must(Access::open(path, [this] { return now_s; }));
+      const auto said = refusal(mine->log_in("Theo", secret("a wrong password")));
+      if (said.find("too many") == std::string::npos) ++tried;
+    });
+  for (auto& thread : threads) thread.join();
+  EXPECT_EQ(tried, kFree);
+}
+
+TEST_F(Attacked, AnOlderFileThatIsPutBackIsSaidAtLogin) {
+  EXPECT_TRUE(access->notices().empty());
+  const std::string before = copy("before.db");
+  must(opened(path)->add_patient("P-2"));
+  access.reset();
+  for (const char* suffix : {"", "-wal", "-shm"}) fs::remove(path + suffix);
+  fs::copy_file(before, path);
+  access = must(Access::open(path));
+  as("Theo");
+  ASSERT_EQ(access->notices().size(), 1u);
+  EXPECT_NE(english(access->notices()[0]).find("older"), std::string::npos);
+}
+
+/// It would run with whoever writes, and travel with every backup.
+TEST_F(Attacked, AForeignTriggerIsNamedSealsNothingAndIsInNoBackup) {
+  execute(
+      {"CREATE TRIGGER theirs AFTER INSERT ON patients BEGIN UPDATE patients SET created_utc = "
+       "'1999-01-01T00:00:00Z' WHERE id = 1; END"});
+  const auto store = opened(path, OpenMode::existing);
+  must(store->add_patient("P-2"));
+  const auto problems = must(store->check());
+  ASSERT_EQ(problems.size(), 2u);
+  EXPECT_EQ(english(problems[0]), "sqlite_schema: theirs was not made by isograsp");
+  EXPECT_EQ(english(problems[1]), "patients: row 1 is not what isograsp wrote");
+  EXPECT_FALSE(store->backup(folder.file("monday.db")).ok());
+  EXPECT_FALSE(Backups(path).make(std::time(nullptr)).ok());
+}
+
+TEST_F(Attacked, AForeignTableAndAMissingIndexAreNamed) {
+  execute({"CREATE TABLE theirs (id INTEGER)", "DROP INDEX events_of_session"});
+  const auto problems = must(opened(path, OpenMode::existing)->check());
+  ASSERT_EQ(problems.size(), 2u);
+  EXPECT_NE(english(problems[0]).find("theirs"), std::string::npos);
+  EXPECT_NE(english(problems[1]).find("CREATE INDEX events_of_session"), std::string::npos);
+}
+
+TEST_F(Attacked, AViewIsNotOpenedAtAll) {
+  execute({"CREATE VIEW theirs AS SELECT 1"});
+  EXPECT_FALSE(open_store(path, OpenMode::existing).ok());
+}
+
+}  // namespace
+}  // namespace isograsp::storage::attacks_test

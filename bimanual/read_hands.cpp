@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bimanual/read_hands.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 
@@ -21,6 +22,17 @@ Vec3 read_positive_vec3(TomlReader& table, std::string_view key, std::optional<V
   if (!(value.minCoeff() > 0.0))
     table.fail(key, "is not above zero"_text, "write larger numbers"_text);
   return value;
+}
+
+/// Of hands, and of what pads press on and with, each number in SI units: beyond this it is that of
+/// no hand, and what is made of it overflows when a step multiplies it, or is lost to rounding.
+constexpr double kMostOfPads = 1e9;
+
+using Named = std::pair<std::string_view, double>;
+void refuse_beyond(TomlReader& table, std::initializer_list<Named> numbers) {
+  for (const auto& [key, most] : numbers)
+    if (most > kMostOfPads)
+      table.fail(key, "is beyond what hands hold"_text, "check its unit"_text);
 }
 
 HandsSpec read_hands(TomlReader& table) {
@@ -48,12 +60,18 @@ HandsSpec read_hands(TomlReader& table) {
     table.fail("view_fov_deg", "is no angle of a view"_text, "write at most 120"_text);
   spec.view_fov_rad = kPerDegree * fov_deg;
   spec.view_margin = read_positive(table, "view_margin", spec.view_margin);
+  refuse_beyond(table, {{"half_size_m", spec.half_size_m.maxCoeff()},
+                        {"separation_m", spec.separation_m},
+                        {"least_bubble_distance_m", spec.least_bubble_distance_m},
+                        {"rate_m_s", spec.rate_m_s},
+                        {"rate_limit_m_s", spec.rate_limit_m_s}});
   if (spec.explore == Explore::prescribed) return spec;
   for (const auto& [key, side] : {std::pair{"left", Side::left}, std::pair{"right", Side::right}}) {
     TomlReader hand = table.table(key);
     HandSpec& of = spec.hands[index_of(side)];
     of.center_m = hand.vec3("center_m");
     of.force_at_edge_N = read_positive_vec3(hand, "force_at_edge_N", std::nullopt);
+    refuse_beyond(hand, {{"center_m", of.center_m.cwiseAbs().maxCoeff()}});
   }
   const Vec3 across = spec.hands[1].center_m - spec.hands[0].center_m;
   if (std::hypot(across.x(), across.z()) < spec.least_bubble_distance_m)
@@ -91,17 +109,6 @@ Vec6 read_six(TomlReader& table, std::string_view key) {
   return values;
 }
 
-/// What pads press on and with, each number in SI units: beyond this it is that of no hand, and
-/// what is made of it overflows when a step multiplies it.
-constexpr double kMostOfPads = 1e9;
-
-using Named = std::pair<std::string_view, double>;
-void refuse_beyond(TomlReader& table, std::initializer_list<Named> numbers) {
-  for (const auto& [key, most] : numbers)
-    if (most > kMostOfPads)
-      table.fail(key, "is beyond what hands hold"_text, "check its unit"_text);
-}
-
 void refuse_beyond(TomlReader& table, const PadSpec& pad) {
   refuse_beyond(table, {{"foundation_N_m3", pad.foundation_N_m3},
                         {"friction", pad.friction},
@@ -113,7 +120,9 @@ void refuse_beyond(TomlReader& table, const PadSpec& pad) {
 void refuse_beyond(TomlReader& root, const Scene& scene) {
   const auto most = [](const Vec3& v) { return v.cwiseAbs().maxCoeff(); };
   TomlReader object = root.table("object");
-  refuse_beyond(object, {{"mass_kg", scene.mass_kg}, {"inertia_kg_m2", most(scene.inertia_kg_m2)}});
+  refuse_beyond(object, {{"size_m", most(scene.size_m)},
+                         {"mass_kg", scene.mass_kg},
+                         {"inertia_kg_m2", most(scene.inertia_kg_m2)}});
   TomlReader dynamics = root.table("dynamics");
   refuse_beyond(dynamics, {{"stiffness", scene.stiffness.maxCoeff()},
                            {"damping", scene.damping.maxCoeff()},
@@ -144,6 +153,7 @@ PadSpec read_pad(TomlReader& table) {
   }
   if (!(pad.face.semi_x_m > 0.0 && pad.face.semi_y_m > 0.0))
     patch.fail("semi_axes_m", "is not above zero"_text, "write a larger number"_text);
+  refuse_beyond(patch, {{"semi_axes_m", std::max(pad.face.semi_x_m, pad.face.semi_y_m)}});
   for (const auto& [key, value, most] : {std::tuple{"rays", &pad.face.rays, kMostRays},
                                          std::tuple{"rings", &pad.face.rings, kMostRings}}) {
     const std::int64_t count = patch.integer(key, *value);
@@ -188,7 +198,6 @@ void read_pads(TomlReader& root, HandsScene& scene) {
     dynamics.fail("step_s", "is beyond what hands need"_text, "check its unit"_text);
   if (!(scene.object.mass_kg > 0.0) || !(scene.object.inertia_kg_m2.minCoeff() > 0.0))
     root.fail("pad", "needs an object with mass and inertia"_text, "give it both"_text);
-  refuse_beyond(root, scene.object);
 }
 
 /// Bubbles, what holds and pads: measured forces have no place that they could move.
@@ -237,6 +246,7 @@ Result<HandsScene> parse_hands_scene(std::string_view text, const std::string& f
       scene.hands = read_hands(hands);
       read_holding(*root, scene);
       read_pads(*root, scene);
+      refuse_beyond(*root, scene.object);
       break;
   }
   if (const auto done = root->finish(); !done) return done.error();

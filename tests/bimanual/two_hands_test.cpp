@@ -278,6 +278,12 @@ TEST(HandsScene, WhatIsWrongIsToldWithItsKey) {
   EXPECT_EQ(field("center_m = [-0.05, 0.0, 0.0]", "center_m = [0.0, 0.0, 0.0]"), "hands.left");
   EXPECT_EQ(field("stiffness_N_m = 150.0", "stiffness_N_m = -1.0"), "magnet.stiffness_N_m");
   EXPECT_EQ(field("shape = \"ellipsoid\"", "shape = \"star\""), "hands.shape");
+  // Beside so much the separation of the hands is lost to rounding, and they would cross.
+  EXPECT_EQ(field("rate_m_s = 0.1", "rate_m_s = 1e17"), "hands.rate_m_s");
+  EXPECT_EQ(field("half_size_m = [0.05, 0.05, 0.05]", "half_size_m = [1e17, 0.05, 0.05]"),
+            "hands.half_size_m");
+  EXPECT_EQ(field("center_m = [-0.05, 0.0, 0.0]", "center_m = [-1e17, 0.0, 0.0]"),
+            "hands.left.center_m");
   EXPECT_EQ(field("mode = \"spring\"", "mode = \"spring\"\nglue = 1"), "magnet.glue");
 }
 

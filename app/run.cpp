@@ -173,6 +173,14 @@ Result<void> run_session(const RunOptions& options) {
   config.operator_name = options.operator_name;
   config.realtime = options.realtime;
   config.allowed = allowed;
+  if (!options.affected.empty()) {
+    config.affected = hand_from_name(options.affected);
+    if (!config.affected || measured->hand)
+      return refused(config.affected ? Text("one hand is measured"_text)
+                                     : "'%1' is not a side"_text(options.affected),
+                     "write left or right, of a session of both hands"_text)
+          .about("--affected");
+  }
   config.ceiling_N = options.ceiling_N;
   for (const Hand hand : kBothHands)
     config.ceilings_N[hand] = measured->hand             ? std::nullopt
@@ -254,6 +262,9 @@ void add_run(CommandLine& line) {
                  "What the screening allows this hand: maximum, comfortable or none; without it "
                  "nothing is kept and maximum is allowed");
   command.option("--ceiling", options->ceiling_N, "No target may exceed this force [N]").positive();
+  command.option(
+      "--affected", options->affected,
+      "Of both hands: the affected side, left or right, where the database does not say it");
   command
       .option("--ceiling-left", options->ceilings_N.left,
               "Of both hands: no target may ask the left one for more [N]")

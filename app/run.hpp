@@ -31,7 +31,8 @@ struct RunOptions {
   std::string patient;
   std::string device_left;  ///< of both hands at once, each on a platform …
   std::string device_right;
-  std::string hand;  ///< of one device; empty: the right one, or both on two platforms
+  std::string affected;  ///< side, where the database does not say it; empty: it does, or nobody
+  std::string hand;      ///< of one device; empty: the right one, or both on two platforms
   bool fast = false;
   bool resume = false;      ///< go on with the protocol of the patient's last session
   bool quiet = false;       ///< no progress bar and no scores

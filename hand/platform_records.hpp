@@ -21,6 +21,8 @@ namespace platform {
 // Kinds of preparation.
 inline constexpr const char* kInstrumentZero = "instrument_zero";  ///< device empty
 inline constexpr const char* kRestingForce = "resting_force";      ///< hand in, relaxed
+/// Of two platforms, both empty: left_thumb_fx_N … right_middle_tz_Nm.
+inline constexpr const char* kTwoInstrumentZeros = "two_instrument_zeros";
 
 // References of a session, of a trial and of a preparation.
 inline constexpr const char* kCeiling_N = "ceiling_N";  ///< no target exceeds it

@@ -55,6 +55,9 @@ struct SessionConfig {
   std::optional<tasks::Effort>
       allowed;                      ///< outcome of the screening for this hand; nothing: not asked
   std::optional<double> ceiling_N;  ///< no target may exceed it
+  /// Of both hands: the affected side of a person of whom the database does not say it; refused
+  /// where it says another one.
+  std::optional<Hand> affected;
   OfHands<std::optional<double>> ceilings_N;    ///< of both hands: no target may ask one for more
   std::vector<storage::SessionAnswer> answers;  ///< what was asked before: screening, posture
   double settle_after_strapping_s = kSettleAfterStrapping_s;  ///< before a resting force

@@ -291,8 +291,9 @@ Result<void> Session::Opening::describe_session() {
 }
 
 Result<void> Session::Opening::read_what_is_known() {
-  auto zero = store->last_preparation(
-      record(), parts.two_platforms != nullptr ? kTwoZeros : platform::kInstrumentZero);
+  auto zero = store->last_preparation(record(), parts.two_platforms != nullptr
+                                                    ? platform::kTwoInstrumentZeros
+                                                    : platform::kInstrumentZero);
   if (!zero) return zero.error();
   last_zero = *std::move(zero);
   auto training = Training::read(*store, record());
@@ -301,7 +302,13 @@ Result<void> Session::Opening::read_what_is_known() {
   if (parts.two_platforms != nullptr) {
     const auto profile = store->profile(patient.id);
     if (!profile) return profile.error();
-    parts.known.two_hands.affected = affected_hand(*profile);
+    if (config.affected && profile->affected && affected_hand(*profile) != config.affected)
+      return refused("the affected side of this person is on record as '%1'"_text(
+                         Known{std::string(storage::name_of(*profile->affected))}),
+                     "leave it out, or correct the record first"_text)
+          .at(config.database)
+          .about("affected");
+    parts.known.two_hands.affected = profile->affected ? affected_hand(*profile) : config.affected;
   }
   if (auto* hand = dynamic_cast<TrackedHand*>(parts.apparatus.get()))
     return tell_of_person(*hand, *store, patient.id);

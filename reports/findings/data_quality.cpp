@@ -102,11 +102,7 @@ std::int64_t count_at(const nlohmann::json& json, std::string_view key) {
   return std::clamp(at->get<std::int64_t>(), std::int64_t{0}, kMost);
 }
 
-/// Frames lost between sensor and computer: counters at the end of the session's last trial.
-std::int64_t lost_on_the_wire(const std::vector<storage::TrialRecord>& trials) {
-  if (trials.empty()) return 0;
-  const auto health = nlohmann::json::parse(trials.back().health_json, nullptr, false);
-  if (!health.is_object()) return 0;
+std::int64_t lost_in(const nlohmann::json& health) {
   std::int64_t lost = count_at(health, "kernel_drops");
   for (const std::string_view part : {kFingerNames[0], kFingerNames[1], kFingerNames[2],
                                       std::string_view("cameras"), std::string_view("tracker")})
@@ -115,27 +111,46 @@ std::int64_t lost_on_the_wire(const std::vector<storage::TrialRecord>& trials) {
   return lost;
 }
 
+/// Frames lost between sensor and computer: counters at the end of the session's last trial; of two
+/// platforms those of both.
+std::int64_t lost_on_the_wire(const std::vector<storage::TrialRecord>& trials) {
+  if (trials.empty()) return 0;
+  const auto health = nlohmann::json::parse(trials.back().health_json, nullptr, false);
+  if (!health.is_object()) return 0;
+  std::int64_t lost = lost_in(health);
+  for (const Hand hand : kBothHands)
+    if (const auto side = health.find(name_of(hand)); side != health.end() && side->is_object())
+      lost += lost_in(*side);
+  return lost;
+}
+
+/// The noisiest axis of force of a zero, or of both.
+double noise_of_zero_N(const storage::PreparationRecord& zero) {
+  double noise_N = 0.0;
+  for (std::size_t k = 0; k < std::min(zero.columns.size(), zero.sd.size()); ++k)
+    if (unit_of(zero.columns[k]) == "N") noise_N = std::max(noise_N, zero.sd[k]);
+  return noise_N;
+}
+
 QualityLine zero_line(const storage::SessionRecord& session,
                       const std::vector<storage::PreparationRecord>& preparations) {
-  std::vector<SixAxes> sd;  // of each zero
+  std::vector<double> noises_N;  // of each zero
   for (const auto& one : preparations)
-    if (const auto wrenches = platform::six_axes_of(one.columns, one.sd);
-        wrenches && one.kind == platform::kInstrumentZero)
-      sd.push_back(*wrenches);
-  if (session.recorded && sd.empty())
+    if (one.kind == platform::kInstrumentZero || one.kind == platform::kTwoInstrumentZeros)
+      noises_N.push_back(noise_of_zero_N(one));
+  if (session.recorded && noises_N.empty())
     return {"Instrument zero"_text, "as in the recording; it cannot be repeated"_text, true};
-  if (sd.empty())
+  if (noises_N.empty())
     return {"Instrument zero"_text, "not done: forces contain the sensor's offset"_text, true};
-  double noise_N = 0.0;
-  for (const Vec6& one : sd.back()) noise_N = std::max(noise_N, one.head<3>().maxCoeff());
-  if (sd.size() == 1)
+  const double noise_N = noises_N.back();
+  if (noises_N.size() == 1)
     return {
         "Instrument zero"_text,
         "done with the device empty; empty noise %1 N (SD, largest axis)"_text(two_digits(noise_N)),
         false};
   return {"Instrument zero"_text,
           "done with the device empty, %1 times; empty noise %2 N (SD, largest axis)"_text(
-              sd.size(), two_digits(noise_N)),
+              noises_N.size(), two_digits(noise_N)),
           false};
 }
 

@@ -306,11 +306,13 @@ LimitsOfHand limits_of(const PatientRecords& records,
   if (limits.other_hand) limits.hand = affected == storage::Side::right ? Hand::right : Hand::left;
   const Hand other = limits.hand == Hand::right ? Hand::left : Hand::right;
   const auto tasks = sort_by_task(records);
-  // An arm seen by markers says nothing of the hand's forces, nor does a tracker.
+  // An arm seen by markers says nothing of what a hand alone can do, nor do a tracker and both
+  // hands together.
   const auto is_without_forces = [](const auto& task) {
     const storage::TrialRecord& trial = task.second.front()->trial;
     const auto spec = tasks::parse_task(trial.task_text, trial.task_name);
-    return spec && (spec->apparatus() == kArm || spec->apparatus() == kTrackedHand);
+    constexpr std::array kOthers{kArm, kTrackedHand, kTwoPlatforms};
+    return spec && std::find(kOthers.begin(), kOthers.end(), spec->apparatus()) != kOthers.end();
   };
   if (!tasks.empty() && std::all_of(tasks.begin(), tasks.end(), is_without_forces)) return limits;
   for (std::size_t i = 0; i < kComponentCount; ++i) {

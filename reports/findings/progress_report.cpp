@@ -8,6 +8,7 @@
 
 #include "core/date.hpp"
 #include "hand/arm_columns.hpp"
+#include "hand/two_hands_columns.hpp"
 #include "reports/findings/arm_findings.hpp"
 #include "reports/findings/comparable.hpp"
 #include "reports/findings/data_quality.hpp"
@@ -52,7 +53,9 @@ DrawnTrial drawn(storage::SessionStore& store, const StoredTrial& trial,
     const bool shown = name == columns::t_s || name == columns::phase ||
                        name == columns::sample_flags || name.starts_with(columns::kTarget) ||
                        name.starts_with(columns::kActual) || (fingers && is_finger_force(name)) ||
-                       (arm && !name.starts_with(columns::kMarker));
+                       (arm && !name.starts_with(columns::kMarker)) ||
+                       name == columns::hand_grip.left || name == columns::hand_grip.right ||
+                       name == columns::sum_force_N;
     if (!shown || drawn.curves.has(name)) continue;
     const auto column = signals->column(name);
     drawn.curves.add_column(name, {column.begin(), column.end()});

@@ -115,11 +115,12 @@ struct SeriesBreak {
   Text reason;  ///< "other visual gain"
 };
 
-/// One task with one hand, or with both: sessions that may be compared with each other.
-/// The apparatus of tasks of an arm (KindFacts::apparatus).
+/// The apparatus of tasks of an arm, … (KindFacts::apparatus).
 inline constexpr std::string_view kArm = "arm";
 inline constexpr std::string_view kTrackedHand = "tracked_hand";
+inline constexpr std::string_view kTwoPlatforms = "two_platforms";
 
+/// One task with one hand, or with both: sessions that may be compared with each other.
 struct TaskSection {
   std::string task;
   int version = 1;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hand/arm_columns.hpp"
+#include "hand/two_hands_columns.hpp"
 #include "reports/findings/report_text.hpp"
 #include "reports/paper/html_panel.hpp"
 #include "reports/paper/html_parts.hpp"
@@ -177,6 +178,10 @@ struct HtmlReport::Parts {
             ? std::vector<Shown>{{columns::link_angle[0][2], "Forearm"_text},
                                  {columns::link_angle[1][0], "Wrist, first angle"_text},
                                  {columns::link_angle[1][1], "Wrist, second angle"_text}}
+        : is_of_two_hands(section)
+            ? std::vector<Shown>{{columns::target_sum_force_N, "Target of both"_text},
+                                 {columns::hand_grip.left, "Left hand"_text},
+                                 {columns::hand_grip.right, "Right hand"_text}}
             : std::vector<Shown>{{columns::target_force_N, "Target force"_text},
                                  {columns::actual_force_N, "Patient force"_text}};
     std::vector<Shown> shown;

@@ -93,7 +93,11 @@ Panel patient_page(const ReportContent& content, const Language& language) {
   const Speaker say(language);
   Panel panel;
   panel.large_print = true;
-  panel.heading = say("Your hand"_text);
+  const bool both =
+      !content.sections.empty() &&
+      std::all_of(content.sections.begin(), content.sections.end(),
+                  [](const TaskSection& section) { return !section.hand.has_value(); });
+  panel.heading = both ? say("Your hands"_text) : say("Your hand"_text);
   const PracticeDose& dose = content.dose;
   if (!content.goals.empty()) panel.lines.push_back(say("Your goal: %1"_text(content.goals)));
   const long minutes = std::lround(dose.active_s / 60.0);

@@ -90,6 +90,13 @@ struct ErrorBand {
 [[nodiscard]] PlotView arm_plot(const TaskSection& section, const DrawnTrial& trial, QSizeF size,
                                 double unit, const Language& language = kEnglish);
 
+/// True if the task is one of both hands, each on a platform.
+[[nodiscard]] bool is_of_two_hands(const TaskSection& section);
+/// The force of each hand, and of both where the sum has a target, against time. overlay_plot()
+/// draws it for such a section. @pre is_of_two_hands(section)
+[[nodiscard]] PlotView hands_plot(const DrawnTrial& trial, QSizeF size, double unit,
+                                  const Language& language = kEnglish);
+
 /// Fewer movements are drawn without a band.
 inline constexpr int kLeastBandMovements = 3;
 /// Postures whose movements in the last session make a band (kLeastBandMovements), those with most

@@ -33,7 +33,7 @@ PreparationOutcome TwoZeros::outcome() const {
   both.name = "zero";
   both.accepted = true;
   both.only_changed = true;
-  both.record.kind = kTwoZeros;
+  both.record.kind = platform::kTwoInstrumentZeros;
   both.record.columns = columns_of_both();
   std::vector<Text> reasons;
   std::vector<Text> remarks;

@@ -19,8 +19,6 @@ struct TwoZeros final : public Preparation {
   OfHands<bool> ended;  ///< its second is over
 };
 
-/// Kind of preparation: left_thumb_fx_N … right_middle_tz_Nm, both platforms empty.
-inline constexpr const char* kTwoZeros = "two_instrument_zeros";
 /// The mean, or the standard deviation, of each platform; nothing: the columns are others.
 [[nodiscard]] std::optional<OfHands<SixAxes>> two_zeros_of(const storage::PreparationRecord& zeros,
                                                            const std::vector<double>& row);

@@ -378,7 +378,9 @@ std::optional<Words> finger_words(std::string_view name) {
 }
 
 /// What stands behind the title: ", thumb", " at 25 %", " target 3".
-Text channel_words(std::string_view channel) {
+Text channel_words(std::string_view measure, std::string_view channel) {
+  // Of a record of two hands; elsewhere "sum" is that of the digits.
+  if (measure == "rmse" && channel == "sum") return ", both hands together"_text;
   if (std::find(kPlainChannels.begin(), kPlainChannels.end(), channel) != kPlainChannels.end())
     return {};
   for (const auto& [part, words] : kParts)
@@ -434,7 +436,7 @@ MeasureWords words_of(std::string_view name, std::string_view channel) {
       words.better != Better::near_zero && !name.ends_with("_share") &&
       std::find(kSteadyErrors.begin(), kSteadyErrors.end(), name) == kSteadyErrors.end();
   words.below_zero = std::find(kBelowZero.begin(), kBelowZero.end(), name) != kBelowZero.end();
-  Text behind = channel_words(channel);
+  Text behind = channel_words(name, channel);
   if (!behind.empty() && name != "opening_force")  // the title of this measure is enough
     words.title = "%1%2"_text(std::move(words.title), std::move(behind));
   return words;

@@ -54,14 +54,14 @@ constexpr std::array kKinds{
     &PickPlaceSpec::kFacts,
     &HandOpeningSpec::kFacts,
     &VirtualPickPlaceSpec::kFacts,
-    &ActiveRangeSpec::kFacts,
-    &PoseMatchingSpec::kFacts,
-    &PoseFollowingSpec::kFacts,
-    &DrinkingSpec::kFacts,
     &BilateralRestSpec::kFacts,
     &BilateralMaximumSpec::kFacts,
     &BilateralTrackingSpec::kFacts,
     &MirrorSpec::kFacts,
+    &ActiveRangeSpec::kFacts,
+    &PoseMatchingSpec::kFacts,
+    &PoseFollowingSpec::kFacts,
+    &DrinkingSpec::kFacts,
     &RecordedSpec::kFacts,
 };
 // clang-format on

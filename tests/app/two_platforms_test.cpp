@@ -39,6 +39,8 @@ TEST(TwoPlatformsApp, AnErrorIsOneLineThatNamesTheCauseAndNothingIsWritten) {
            {" --device-right " + kPair, "--device-left"},
            {both("'udp://?config=a.toml'", "'udp://?config=a.toml'"), "one platform"},
            {both("sim://healthy", "sim://paretic"), "sim://pair"},
+           {both(kPair, kPair) + " --affected both", "--affected"},
+           {" --device sim://healthy --affected left", "--affected"},
            {both("'sim://pair?file=nobody'", "'sim://pair?file=nobody'"), "nobody"},
            {both("sim://pair", "sim://pair"), "file=NAME"},
            {"", "--device"},
@@ -55,9 +57,11 @@ TEST(TwoPlatformsApp, APairInSoftwareGoesFromSessionToReportAndExports) {
   const TemporaryFolder folder;
   const std::string database = folder.path("clinic.db");
   ASSERT_EQ(isograsp("db init " + database).status, 0);
-  const auto run = isograsp("run --protocol-file " + kProtocols + "two_hands_short.toml --db " +
-                            database + " --patient B-1 --fast" + both(kPair, kPair));
+  const auto run =
+      isograsp("run --protocol-file " + kProtocols + "two_hands_short.toml --db " + database +
+               " --patient B-1 --affected left --fast" + both(kPair, kPair));
   ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.out.find("share_affected (left)"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("both hands"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("bilateral_deficit"), std::string::npos) << run.out;
   EXPECT_EQ(isograsp("db check " + database).status, 0);
@@ -70,6 +74,9 @@ TEST(TwoPlatformsApp, APairInSoftwareGoesFromSessionToReportAndExports) {
   const std::string page = test::must(read_text(folder.path("r.html")));
   for (const char* said : {"Two hands, maximum", "left hand", "right hand", "SIMULATED"})
     EXPECT_NE(page.find(said), std::string::npos) << said;
+  EXPECT_EQ(page.find("What limits this hand"), std::string::npos);
+  EXPECT_EQ(page.find("not done: forces contain"), std::string::npos) << "both zeros were set";
+  EXPECT_NE(page.find("Target of both"), std::string::npos) << "the last trial as a table";
   for (const char* not_said : {"orrelation of the hands", "Synergy of the hands"})
     EXPECT_EQ(page.find(not_said), std::string::npos) << not_said << ": of research";
   for (const char* format : {"csv", "hdf5", "bids", "fhir"}) {

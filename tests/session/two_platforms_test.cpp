@@ -368,6 +368,24 @@ TEST(TwoHandsSession, TheSameSeedGivesTheSameBits) {
   EXPECT_NE(once.result.trials[2].measures, other.result.trials[2].measures);
 }
 
+TEST(TwoHandsSession, ASideThatIsNotThatOfTheRecordIsRefused) {
+  const PairSession known("paretic_left", storage::Side::left);
+  SessionConfig config;
+  config.database = known.database;
+  config.patient_code = "P-2";
+  config.hand.reset();
+  config.device_uri = pair_uri("paretic_left", 7);
+  config.library = kLibrary;
+  config.virtual_time = true;
+  config.clock_is_right = true;  // sessions in virtual time end ahead of every clock
+  config.affected = Hand::right;
+  const auto refused = Session::open(config);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().field, "affected") << refused.error().message();
+  config.affected = Hand::left;
+  EXPECT_TRUE(Session::open(config));
+}
+
 TEST(TwoHandsSession, WithOneDeviceOrOneHandIsRefusedAndNothingIsWritten) {
   const test::TemporaryFolder folder;
   SessionConfig config;

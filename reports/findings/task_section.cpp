@@ -140,7 +140,11 @@ Result<TaskSection> make_section(const VerdictContext& context,
        "%1 trials that did not end left out"_text);
   if (compared.empty()) return section;
   // What is research stands in no report of a patient, whatever was chosen as primary.
-  if (section.spec && section.spec->kind->research) return section;
+  if (section.spec && section.spec->kind->research) {
+    section.notes.push_back(
+        "What this task measures is of research: exports have it, this report does not."_text);
+    return section;
+  }
 
   for (const Measure& measure : compared.back()->measures) {
     if (tasks::place_of(section.spec, measure.name, measure.channel).prominence ==

@@ -17,8 +17,8 @@ namespace {
 constexpr std::ptrdiff_t kLeastOverlap = 3;  // two points always correlate perfectly
 
 /// Pearson r between target[k] and actual[k + shift] over the samples that both have.
-std::optional<double> correlation(std::span<const double> target, std::span<const double> actual,
-                                  std::ptrdiff_t shift) {
+std::optional<double> correlation_at(std::span<const double> target, std::span<const double> actual,
+                                     std::ptrdiff_t shift) {
   const auto n = static_cast<std::ptrdiff_t>(target.size());
   const std::ptrdiff_t first = std::max<std::ptrdiff_t>(0, -shift);
   const std::ptrdiff_t count = std::min(n, n - shift) - first;
@@ -123,8 +123,8 @@ std::vector<Sums> sums_without_first(Iterator first, Iterator last, double mean,
   return sums;
 }
 
-/// correlation() of all shifts from -most to most at once, but rounded more coarsely; no value
-/// where so little varies that only correlation() itself can tell.
+/// correlation_at() of all shifts from -most to most at once, but rounded more coarsely; no value
+/// where so little varies that only correlation_at() itself can tell.
 std::vector<std::optional<double>> rough_correlations(std::span<const double> x,
                                                       std::span<const double> y,
                                                       std::ptrdiff_t most) {
@@ -178,7 +178,7 @@ LagPeak lag_peak(const statistics::UniformSamples& target,
   if (!varies(target.values) || !varies(actual.values))
     return none("target or actual does not vary"_text);
   const auto exact = [&](std::ptrdiff_t shift) {
-    return correlation(target.values, actual.values, shift);
+    return correlation_at(target.values, actual.values, shift);
   };
   // The rough values only say where to look: what is compared and returned is exact.
   constexpr double kRough = 1e-10;  // above the error of the rough values

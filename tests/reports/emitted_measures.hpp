@@ -30,6 +30,7 @@
 #include "tasks/kinds/object/pose_tracking.hpp"
 #include "tasks/score.hpp"
 #include "tasks/task.hpp"
+#include "tests/tasks/kinds/hands_play.hpp"
 #include "tests/tasks/kinds/object_play.hpp"
 #include "tests/tasks/reference_subject.hpp"
 #include "tests/tasks/specs.hpp"
@@ -106,6 +107,7 @@ constexpr double kMaximum_N = 40.0;
 
 /// A trial of a force task in which the hand lies still, with every column that tells its parts.
 inline Signals still_hand(const tasks::TaskSpec& spec) {
+  if (spec.apparatus() == "two_platforms") return play_hands(spec, known_hands(0.05));
   tasks::TaskContext context;
   context.period_s = 0.05;
   for (int digits = 0; digits <= static_cast<int>(Digits::middle); ++digits)

@@ -110,8 +110,10 @@ def make_session(program, folder, name, device, hand, tasks):
     folder = folder / name
     folder.mkdir()
     protocol, database = sessions.write_protocol(folder, name, tasks), folder / "clinic.db"
-    program("run", "--protocol-file", protocol, "--device", device, "--db", database,
-            "--patient", "OPINION-1", "--hand", hand, "--fast")
+    both, _, affected = hand.partition(" ")  # "left", or "both left"
+    who = ["--device-left", device, "--device-right", device, "--affected", affected] if affected else [
+        "--device", device, "--hand", both]
+    program("run", "--protocol-file", protocol, "--db", database, "--patient", "OPINION-1", "--fast", *who)
     program("export", "--db", database, "--format", "csv", "--out", folder / "export")
     found = sorted((folder / "export").glob("patient_*/session_*/trial_*_signals.csv"))
     return [str(path).removesuffix("_signals.csv") for path in found]
@@ -185,7 +187,7 @@ def jobs_of(pool, program, folder, seed, refused):
 
 def main(executable, library, seed=0):
     unknown = {p.stem for p in (Path(library) / "tasks").glob("*.toml")} - set(sessions.NOT_RUN)
-    unknown -= {*sessions.LIBRARY, *sessions.ARM, *sessions.HAND}
+    unknown -= {*sessions.LIBRARY, *sessions.ARM, *sessions.HAND, *sessions.PAIR}
     wrong = [f"task {name} of the library is in no session" for name in sorted(unknown)]
     table, valued, refused = defaultdict(lambda: [0, 0, 0, 0.0]), set(), {}
     with tempfile.TemporaryDirectory() as folder, ProcessPoolExecutor(min(2, os.cpu_count() or 1)) as pool:

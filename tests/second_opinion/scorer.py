@@ -166,6 +166,8 @@ KINDS |= {name: getattr(handling, "score_" + name)
 KINDS |= {name: getattr(arm, "score_" + name) for name in ("pose_matching", "pose_following", "active_range")}
 KINDS["drinking"] = drinking.score_drinking
 KINDS |= {name: getattr(hand, "score_" + name) for name in ("hand_opening", "virtual_pick_place")}
+KINDS |= {name: getattr(two_hands, "score_" + name)
+          for name in ("bilateral_rest", "bilateral_maximum", "bilateral_tracking", "mirror")}
 KINDS["recorded"] = recorded.score_recorded
 
 

@@ -12,6 +12,8 @@ free_handling""".split()
 ARM = """arm_familiarisation arm_follow arm_follow_half arm_follow_three_quarters arm_range_deviation arm_range_flexion arm_range_forearm arm_own_range arm_screw arm_screw_half
 arm_screw_three_quarters arm_wrist""".split()
 HAND = ["hand_opening", "virtual_place_first"]
+PAIR = """two_hands_rest two_hands_maximum two_hands_sum two_hands_each two_hands_turns two_hands_affected_works_25
+two_hands_affected_works_50 two_hands_other_works_25 two_hands_other_works_50""".split()
 NOT_RUN = {"virtual_place": "its placements are long; virtual_pick_place is compared in five other tasks",
            "virtual_place_training": "likewise",
            "grip_sine_fixed": "needs maxima of two days; force_tracking is compared in 20 other tasks",
@@ -94,6 +96,14 @@ OWN_HAND = {
                       'target = 1\n',
 }
 OWN |= OWN_HAND
+OWN_PAIR = {
+    "own_pair_newtons": 'kind = "bilateral_tracking"\ngoal = "sum"\nfeedback = "both"\nscale = "newton"\nleast_N = 4\n'
+                        'most_N = 12\nband_fraction = 0.3\nfrequency_Hz = 0.4\nduration_s = 11\nlead_in_s = 1\n',
+    "own_pair_left": 'kind = "mirror"\nactive = "left"\nlevel_fraction = 0.4\nband_fraction = 0.2\nrepetitions = 2\n'
+                     'hold_s = 3.3\nrest_s = 1\n',
+    "own_pair_quick": 'kind = "bilateral_maximum"\nlead_in_s = 0.5\nsqueeze_s = 2\nrest_s = 3\nwindow_s = 0.333\n',
+}
+OWN |= OWN_PAIR
 MAXIMA = ["resting_force", "maximum_grip", "maximum_thumb", "maximum_index", "maximum_middle"]
 # One of each kind; a patient gets some of them.
 CORE = ["grip_sine", "let_go_short", "two_target", "maximum_opening", "grip_trapezoid", "open_on_cue", "pick_place",
@@ -118,6 +128,11 @@ def of_hand(tasks):
     return tasks[0] in HAND or tasks[0] in OWN_HAND
 
 
+def of_pair(tasks):
+    """Tasks of both hands."""
+    return tasks[0] in PAIR
+
+
 def trials(tasks):
     """How many there are of these tasks."""
     return sum(REPEATED.get(task, 1) for task in tasks)
@@ -133,7 +148,10 @@ def sessions(seed):
     hand_tasks = HAND + list(OWN_HAND)
     for k, (user, hand) in enumerate((("healthy", "right"), ("paretic", "left"))):
         yield f"hand_{user}", f"sim://hand?user={user}&seed={seed + 40 + k}", hand, hand_tasks[k:] + hand_tasks[:k]
-    everything = LIBRARY + [task for task in OWN if task not in OWN_ARM and task not in OWN_HAND]
+    # Rest and maxima come first: the others rest on them.
+    for k, (pair, affected) in enumerate((("paretic_left", "left"), ("healthy", "right"))):
+        yield f"pair_{pair}", f"sim://pair?file={pair}&seed={seed + 60 + k}", f"both {affected}", PAIR + list(OWN_PAIR)
+    everything = LIBRARY + [task for task in OWN if task not in {**OWN_ARM, **OWN_HAND, **OWN_PAIR}]
     yield "everything", f"sim://healthy?seed={seed + 7}", "right", everything
     step = 4
     for k, patient in enumerate(PATIENTS):
@@ -143,7 +161,8 @@ def sessions(seed):
 
 def complete(seed):
     """Names of the sessions in which every task has a trial: nobody is too weak for one."""
-    return [name for name, *_, tasks in sessions(seed) if name in ("everything", "hand_healthy") or of_arm(tasks)]
+    return [name for name, *_, tasks in sessions(seed) if name in ("everything", "hand_healthy") or of_arm(tasks)
+            or of_pair(tasks)]
 
 
 def write_protocol(folder, name, tasks):

@@ -5,11 +5,14 @@ import math
 
 import numpy as np
 
+from record import ACTIVE
 from recorded import everything
+from strength import counting, window_of
 from tools import differences, pearson, uniform, weighted_mean
 from tracking import add_errors, lag_of
 
 SUM = "target_sum_force_N"
+SQUEEZE, FOLLOW = 2, 4  # cues
 
 
 def share(a, b):
@@ -52,41 +55,123 @@ def synergy(t, left, right, target):
     return float(2 * (apart - together) / (apart + together))
 
 
-def score_two_hands(results, record, affected, maxima):
-    """`maxima`: of the left and the right hand; None: not known."""
-    other = "right" if affected == "left" else "left"
+def score_two_hands(results, record, affected, maxima, resting=None, phases=None):
+    """`affected`: a hand; None: not known. `maxima`: of the left and the right hand; None: not known. `resting`: taken
+    off the forces for their shares; None: they are taken as they stand. `phases`: rows; None: all."""
+    first = affected or "left"
+    other = "right" if first == "left" else "left"
+    chosen_rows = lambda columns: record.select(phases, columns) if phases else everything(record, columns)
     force = {hand: record.column(f"{hand}_force_N") for hand in ("left", "right")}
-    both = everything(record, ["left_force_N", "right_force_N"])
-    rows = both.rows
-    a, u, w, t = force[affected][rows], force[other][rows], record.hold[rows], record.t[rows]
-    add = lambda name, value, selection=both: results.add(name, affected, value, selection)
-    mean_a, mean_u = (weighted_mean(x, w) if len(rows) else 0.0 for x in (a, u))
-    for hand, mean in ((affected, mean_a), (other, mean_u)):
+    both = chosen_rows(["left_force_N", "right_force_N"])
+    own_t, rows = record.column("t_s"), both.rows
+    a, u, w, t = force[first][rows], force[other][rows], record.hold[rows], own_t[rows]
+    channel = affected or "both"
+    add = lambda name, value, selection=both: results.add(name, channel, value, selection)
+    above = {}
+    for hand, values in ((first, a), (other, u)):
+        mean = weighted_mean(values, w) if len(rows) else None
         results.add("mean_force", hand, mean, both)
-    of_affected = share(mean_a, mean_u)
+        above[hand] = mean
+        if resting is not None:
+            above[hand] = None if mean is None or np.isnan(resting[hand]) else mean - resting[hand]
+            results.add("force_above_rest", hand, above[hand], both)
+    known = affected and None not in above.values()
+    of_affected = share(above[first], above[other]) if known else None
     add("share_affected", of_affected)
-    add("asymmetry", None if of_affected is None else share(mean_u, mean_a) - of_affected)
-    add("effort_share_affected",
-        share(mean_a / maxima[affected], mean_u / maxima[other]) if all(maxima.values()) else None)
+    add("asymmetry", None if of_affected is None else share(above[other], above[first]) - of_affected)
+    add("effort_share_affected", share(above[first] / maxima[first], above[other] / maxima[other])
+        if known and all(maxima.values()) else None)
     add("hand_correlation", weighted_pearson(a, u, w) if len(rows) else None)
-    lag, r = lag_of(t, u, a)
+    lag, r = lag_of(t, u, a) if affected else (None, None)
     add("hand_lag", lag)
     add("hand_lag_correlation", None if lag is None else r)
-    follow = record.has(SUM)
-    chosen = everything(record, ["left_force_N", "right_force_N"] + ([SUM] if follow else []))
+    asked = lambda name: record.has(name) and (phases is None or not np.all(np.isnan(record.column(name))))
+    follow = asked(SUM)
+    chosen = chosen_rows(["left_force_N", "right_force_N"] + ([SUM] if follow else []))
     at = chosen.rows
-    add("hand_synergy", synergy(record.t[at], force["left"][at], force["right"][at],
+    add("hand_synergy", synergy(own_t[at], force["left"][at], force["right"][at],
                                 record.column(SUM)[at] if follow else None), chosen)
     names = [f"{hand}_push_{axis}_N" for hand in ("left", "right") for axis in "xyz"]
     if all(record.has(name) for name in names):
-        pushed = everything(record, names)
+        pushed = chosen_rows(names)
         push = np.array([record.column(name)[pushed.rows] for name in names])
         size = lambda p: np.sum(record.hold[pushed.rows] * np.sqrt(np.sum(p * p, axis=0)))
         each = size(push[:3]) + size(push[3:])
         add("cancelled_share", float(100 * (1 - size(push[:3] + push[3:]) / each)) if each > 0 else None, pushed)
     pairs = {"sum": (SUM, force["left"] + force["right"], ["left_force_N", "right_force_N"])}
     pairs |= {hand: (f"target_{hand}_force_N", force[hand], [f"{hand}_force_N"]) for hand in ("left", "right")}
-    for channel, (target, actual, columns) in pairs.items():
-        if record.has(target):
-            add_errors(results, channel, ["rmse"], record, everything(record, [target] + columns),
-                       record.column(target), actual)
+    for name, (target, actual, columns) in pairs.items():
+        if asked(target):
+            add_errors(results, name, ["rmse"], record, chosen_rows([target] + columns), record.column(target), actual)
+
+
+def constants(record, name):
+    return {hand: record.first_value(f"{hand}_{name}") for hand in ("left", "right")}
+
+
+def score_bilateral_tracking(results, _task, record):
+    side = record.first_value("affected_hand")
+    maxima = {hand: None if np.isnan(value) else value
+              for hand, value in constants(record, "maximum_force_N").items()}
+    score_two_hands(results, record, None if np.isnan(side) else "left" if side == 0 else "right", maxima,
+                    constants(record, "resting_force_N"), [ACTIVE])
+
+
+def score_bilateral_rest(results, _task, record):
+    for hand in ("left", "right"):
+        selection = record.select([ACTIVE], [f"{hand}_force_N"])
+        rows = selection.rows
+        results.add("resting_force", hand,
+                    weighted_mean(record.column(f"{hand}_force_N")[rows], record.hold[rows]) if len(rows) else None,
+                    selection)
+
+
+def score_bilateral_maximum(results, task, record):
+    squeezes = lambda part, hand: record.of_part(f"{hand}_cue", part) == SQUEEZE
+    found = {}
+    for hand, other in (("left", "right"), ("right", "left")):
+        force = record.column(f"{hand}_force_N")
+        for beside in (False, True):
+            part = next((p for p in record.parts if p.phase == ACTIVE and squeezes(p, hand)
+                         and squeezes(p, other) == beside), None)
+            if part is None:
+                found[hand, beside] = (None, None, record.select([ACTIVE], [f"{hand}_force_N"], 0, 0))
+                continue
+            total = window_of(record, part, force, counting(record, force), task["window_s"])
+            resting = record.of_part(f"{hand}_resting_force_N", part)
+            above = None if total is None or np.isnan(resting) else total - resting
+            found[hand, beside] = (above, total, record.select([ACTIVE], [f"{hand}_force_N"], part.first, part.last))
+        above, total, selection = found[hand, False]
+        results.add("maximum_force", hand, above, selection)
+        results.add("maximum_force_total", hand, total, selection)
+        above, _, selection = found[hand, True]
+        results.add("bilateral_force", hand, above, selection)
+    sums = {}
+    for beside in (False, True):
+        values = [found[hand, beside][0] for hand in ("left", "right")]
+        sums[beside] = None if None in values else sum(values)
+    known = None not in sums.values() and sums[False] > 0
+    results.add("bilateral_deficit", "both", 100 * sums[True] / sums[False] - 100 if known else None,
+                record.select([ACTIVE], ["left_force_N", "right_force_N"]))
+
+
+def score_mirror(results, _task, record):
+    follows = [hand for hand in ("left", "right") if any(record.of_part(f"{hand}_cue", p) == FOLLOW for p in record.parts)]
+    active = follows[0] if follows else "left"
+    still = "right" if active == "left" else "left"
+    rise = {}
+    for hand in (active, still):
+        selection = record.select([ACTIVE], [f"{hand}_force_N"])
+        rows, resting = selection.rows, record.first_value(f"{hand}_resting_force_N")
+        mean = weighted_mean(record.column(f"{hand}_force_N")[rows], record.hold[rows]) if len(rows) else None
+        rise[hand] = (None if mean is None or np.isnan(resting) else mean - resting, selection)
+    works, rests = rise[active][0], rise[still][0]
+    overflow = None
+    if works is not None and rests is not None and works > 0.5:
+        overflow = 100 * rests / works
+    results.add("mirror_force", still, overflow, rise[still][1])
+    for hand in (still, active):
+        results.add("force_above_rest", hand, *rise[hand])
+    target = f"target_{active}_force_N"
+    add_errors(results, active, ["rmse"], record, record.select([ACTIVE], [target, f"{active}_force_N"]),
+               record.column(target), record.column(f"{active}_force_N"))

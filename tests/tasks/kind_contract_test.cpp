@@ -14,12 +14,12 @@
 #include "core/csv.hpp"
 #include "hand/arm_columns.hpp"
 #include "hand/hand_columns.hpp"
-#include "hand/two_hands_columns.hpp"
 #include "tasks/facts/measure_words.hpp"
 #include "tasks/score.hpp"
 #include "tasks/task.hpp"
 #include "tasks/waveform.hpp"
 #include "tests/support/every.hpp"
+#include "tests/tasks/kinds/hands_play.hpp"
 #include "tests/tasks/reference_subject.hpp"
 
 namespace isograsp::tasks::kind_contract_test {
@@ -179,42 +179,11 @@ Signals still_tracked_hand(const TaskSpec& spec) {
 
 /// A trial in which both hands lie still on their platforms.
 Signals still_hands(const TaskSpec& spec) {
-  TaskContext context = known_hand();
-  context.two_hands.affected = Hand::left;
-  std::vector<std::string> names{columns::t_s,
-                                 columns::phase,
-                                 columns::segment,
-                                 columns::cue,
-                                 columns::target_sum_force_N,
-                                 columns::affected_hand};
-  for (const Hand hand : kBothHands) {
-    context.two_hands.of[hand].maximum_N = 40.0;
-    context.two_hands.of[hand].resting_N = 0.0;
-    for (const auto* of : {&columns::hand_grip, &columns::target_hand_grip, &columns::hand_cue,
-                           &columns::hand_resting_force_N})
-      names.emplace_back((*of)[hand]);
-  }
-  Signals signals(names);
-  auto task = make_task(spec, context);
-  if (!task) throw std::runtime_error(task.error().message());
+  constexpr double kPeriod_s = 0.02;
   constexpr double kRounding_s = 5.0;
-  const double most_s = spec.duration().worst_s + kRounding_s;
-  for (int frame = 0; frame * context.period_s <= most_s; ++frame) {
-    const TaskView view = (*task)->step(TwoHandsInput{});
-    const TwoHandsView& hands = view.two_hands();
-    std::vector<double> row{frame * context.period_s,
-                            static_cast<double>(view.phase),
-                            static_cast<double>(view.segment),
-                            static_cast<double>(view.cue),
-                            hands.target_sum_N.value_or(std::nan("")),
-                            0.0};
-    for (const Hand hand : kBothHands)
-      row.insert(row.end(), {0.0, hands.of[hand].target_N.value_or(std::nan("")),
-                             static_cast<double>(hands.of[hand].cue), 0.0});
-    signals.append_row(row);
-    if (view.phase == Phase::done) return signals;
-  }
-  ADD_FAILURE() << spec.file << " does not end in " << most_s << " s";
+  const Signals signals = test::play_hands(spec, test::known_hands(kPeriod_s));
+  EXPECT_LE(signals.column(columns::t_s).back(), spec.duration().worst_s + kRounding_s)
+      << spec.file;
   return signals;
 }
 

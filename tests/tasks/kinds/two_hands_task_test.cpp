@@ -2,12 +2,10 @@
 // Tasks of two hands: what is asked of each, what is refused, and the laws of their measures.
 #include <array>
 #include <cmath>
-#include <functional>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "hand/two_hands_columns.hpp"
 #include "tasks/kinds/two_hands/bilateral_maximum.hpp"
 #include "tasks/kinds/two_hands/bilateral_rest.hpp"
 #include "tasks/kinds/two_hands/bilateral_tracking.hpp"
@@ -16,6 +14,7 @@
 #include "tests/support/every.hpp"
 #include "tests/support/must.hpp"
 #include "tests/support/no_alloc.hpp"
+#include "tests/tasks/kinds/hands_play.hpp"
 #include "tests/tasks/specs.hpp"
 
 namespace isograsp::tasks::two_hands_task_test {
@@ -45,61 +44,11 @@ BilateralTrackingSpec sine(BilateralTrackingSpec::Goal goal) {
   return spec;
 }
 
-/// The grip force of each hand, by what is asked of it.
-using Press = std::function<OfHands<double>(const TaskView& view)>;
-
-FingerWrenches gripping(double force_N) {
-  FingerWrenches wrench_C;
-  for (Wrench& wrench : wrench_C) wrench.force = wrench.torque = Vec3::Zero();
-  wrench_C[0].force.z() = force_N;
-  wrench_C[1].force.z() = wrench_C[2].force.z() = 0.5 * force_N;
-  return wrench_C;
-}
-
-template <class Spec>
-Signals played(const Spec& spec, const TaskContext& context, const Press& press) {
-  std::vector<std::string> names{columns::t_s,          columns::phase, columns::sample_flags,
-                                 columns::segment,      columns::cue,   columns::target_sum_force_N,
-                                 columns::affected_hand};
-  for (const Hand hand : kBothHands)
-    for (const auto* columns : {&columns::hand_grip, &columns::target_hand_grip, &columns::hand_cue,
-                                &columns::hand_resting_force_N, &columns::hand_maximum_force_N})
-      names.emplace_back((*columns)[hand]);
-  Signals signals(names);
-  auto task = test::must(make_task(test::spec_of(spec), context));
-  TwoHandsInput input{{gripping(0.0), gripping(0.0)}};
-  const auto known = [](const std::optional<double>& value) {
-    return value.value_or(std::nan(""));
-  };
-  for (int k = 0;; ++k) {
-    const TaskView view = task->step(input);
-    const TwoHandsView& hands = view.two_hands();
-    const auto& affected = context.two_hands.affected;
-    std::vector<double> row{k * context.period_s,
-                            static_cast<double>(view.phase),
-                            0.0,
-                            static_cast<double>(view.segment),
-                            static_cast<double>(view.cue),
-                            known(hands.target_sum_N),
-                            !affected                 ? std::nan("")
-                            : *affected == Hand::left ? 0.0
-                                                      : 1.0};
-    const OfHands<double> force_N = press(view);
-    for (const Hand hand : kBothHands) {
-      const HandReferences& of = context.two_hands.of[hand];
-      row.insert(row.end(), {force_N[hand], known(hands.of[hand].target_N),
-                             static_cast<double>(hands.of[hand].cue), known(of.resting_N),
-                             known(of.maximum_N)});
-      input.wrench_C[hand] = gripping(force_N[hand]);
-    }
-    signals.append_row(row);
-    if (view.phase == Phase::done) return signals;
-  }
-}
+using Press = test::PressHands;
 
 template <class Spec>
 std::vector<Measure> scored(const Spec& spec, const TaskContext& context, const Press& press) {
-  return score(test::spec_of(spec), played(spec, context, press));
+  return score(test::spec_of(spec), test::play_hands(test::spec_of(spec), context, press));
 }
 
 const Measure& measure(const std::vector<Measure>& all, std::string_view name,

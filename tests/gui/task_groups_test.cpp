@@ -42,14 +42,14 @@ TEST(TaskGroups, OnlyTheMaximumOfTheWholeGripIsTheMaximumOfTheSession) {
   EXPECT_FALSE(is_grip_maximum(named("maxima", tasks::DirectionalMaximaSpec{})));
 }
 
-TEST(TaskGroups, OneKindRestsAndOneIsFree) {
+TEST(TaskGroups, OneKindOfOneHandRestsAndOneOfBothAndOneIsFree) {
   int rest = 0;
   int free = 0;
   for (const tasks::KindFacts* kind : tasks::all_kinds()) {
     rest += kind->rests ? 1 : 0;
     free += kind->free ? 1 : 0;
   }
-  EXPECT_EQ(rest, 1);
+  EXPECT_EQ(rest, 2);
   EXPECT_EQ(free, 1);
   EXPECT_TRUE(is_rest(named("rest", tasks::RestSpec{})));
   EXPECT_TRUE(is_free_handling(named("free", tasks::ObserveSpec{})));

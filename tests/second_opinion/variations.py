@@ -69,8 +69,10 @@ def at_once(columns, chance):
 
 def unknown(columns, chance):
     """Nothing is known of the session but the delay of the display."""
-    for name in ("resting_force_N", "maximum_force_N", "noise_sd_N", "resolution_N", "device_delay_s"):
-        columns[name][:] = np.nan
+    known = ("resting_force_N", "maximum_force_N", "noise_sd_N", "resolution_N", "device_delay_s")
+    for name in columns:
+        if name in known or name.endswith(known[:2]) or name == "affected_hand":
+            columns[name][:] = np.nan
     columns["display_delay_s"][:] = 0.04
 
 

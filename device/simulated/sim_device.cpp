@@ -111,8 +111,11 @@ class SimDevice final : public ForceDevice {
 }  // namespace
 
 Result<std::unique_ptr<ForceDevice>> open_sim_device(const Uri& uri, const DeviceOptions& options) {
-  if (auto known = uri.require_known({"seed", "hand", "rate", "drop", "recovery", "day", "course",
-                                      "strength", "resolution", "file"});
+  // A pair of hands is described by a file, a person by the parameters.
+  const bool pair = uri.target == "pair";
+  if (auto known = pair ? uri.require_known({"file", "seed", "rate", "drop", "resolution"})
+                        : uri.require_known({"seed", "hand", "rate", "drop", "recovery", "day",
+                                             "course", "strength", "resolution"});
       !known)
     return known.error();
   if (uri.target.empty())

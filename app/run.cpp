@@ -120,6 +120,21 @@ Result<WhoAndWhat> who_and_what(const RunOptions& options) {
   return WhoAndWhat{std::nullopt, *both};
 }
 
+/// What is said of each hand, or of which is affected, is said of a session of both.
+Result<void> take_options_of_both_hands(const RunOptions& options, session::SessionConfig& config) {
+  const bool each = options.ceilings_N.left || options.ceilings_N.right;
+  if (config.hand && (each || !options.affected.empty()))
+    return refused("one hand is measured"_text,
+                   "leave it out, or give --device-left and --device-right"_text)
+        .about(options.affected.empty() ? "--ceiling-left, --ceiling-right" : "--affected");
+  config.ceilings_N = options.ceilings_N;
+  if (options.affected.empty()) return {};
+  config.affected = hand_from_name(options.affected);
+  if (config.affected) return {};
+  return refused("'%1' is not a side"_text(options.affected), "write left or right"_text)
+      .about("--affected");
+}
+
 Text words_of_hand(std::optional<Hand> hand, const std::string& patient, const Text& device) {
   if (!hand) return "Patient %1, both hands, %2"_text(patient, device);
   return *hand == Hand::right ? "Patient %1, right hand, %2"_text(patient, device)
@@ -173,19 +188,8 @@ Result<void> run_session(const RunOptions& options) {
   config.operator_name = options.operator_name;
   config.realtime = options.realtime;
   config.allowed = allowed;
-  if (!options.affected.empty()) {
-    config.affected = hand_from_name(options.affected);
-    if (!config.affected || measured->hand)
-      return refused(config.affected ? Text("one hand is measured"_text)
-                                     : "'%1' is not a side"_text(options.affected),
-                     "write left or right, of a session of both hands"_text)
-          .about("--affected");
-  }
+  if (auto both = take_options_of_both_hands(options, config); !both) return both;
   config.ceiling_N = options.ceiling_N;
-  for (const Hand hand : kBothHands)
-    config.ceilings_N[hand] = measured->hand             ? std::nullopt
-                              : options.ceilings_N[hand] ? options.ceilings_N[hand]
-                                                         : options.ceiling_N;
   config.answers = *std::move(answers);
   config.resume = options.resume;
   config.clock_is_right = options.clock_is_right;

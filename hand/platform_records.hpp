@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "hand/columns.hpp"
-#include "hand/finger.hpp"
+#include "hand/hands.hpp"
 
 namespace isograsp {
 
@@ -26,6 +26,8 @@ inline constexpr const char* kTwoInstrumentZeros = "two_instrument_zeros";
 
 // References of a session, of a trial and of a preparation.
 inline constexpr const char* kCeiling_N = "ceiling_N";  ///< no target exceeds it
+inline constexpr OfHands<const char*> kCeilings_N{"left_ceiling_N",
+                                                  "right_ceiling_N"};  ///< of both hands
 inline constexpr std::string_view kMaximumForce_N = columns::maximum_force_N;
 inline constexpr std::string_view kRestingForce_N = columns::resting_force_N;
 inline constexpr const char* kVisualGain_deg_per_N = "visual_gain_deg_per_N";

@@ -120,7 +120,9 @@ Result<std::unique_ptr<Apparatus>> open_two_platforms(const ApparatusRequest& re
                      "give both platforms the same sim://pair?file=NAME"_text)
           .at(uri->text);
     DeviceOptions options;
+    std::string address = uri->text;
     if (is_pair(*uri)) {
+      address += "&hand=" + std::string(name_of(hand));
       if (!pair) {
         auto opened = open_pair(*uri, request.library);
         if (!opened) return opened.error();
@@ -128,7 +130,7 @@ Result<std::unique_ptr<Apparatus>> open_two_platforms(const ApparatusRequest& re
       }
       options.source = &pair->source(hand);
     }
-    auto device = open_device(uri->text, options);
+    auto device = open_device(address, options);
     if (!device) return device.error();
     if (const auto& mounted_for = (*device)->info().hand)
       if (auto same = check_hand(uri->text, name_of(*mounted_for), hand); !same)

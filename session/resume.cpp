@@ -5,6 +5,7 @@
 
 #include "core/time.hpp"
 #include "hand/platform_records.hpp"
+#include "hand/two_hands_columns.hpp"
 #include "session/arm/passive_range.hpp"
 
 namespace isograsp::session {
@@ -76,6 +77,10 @@ Result<EarlierWork> read_earlier_work(storage::SessionStore& store,
   work.last_id = last.id;
   work.allowed = last.allowed;
   work.ceiling_N = storage::value_of(last.references, platform::kCeiling_N);
+  for (const Hand hand : kBothHands)
+    work.ceilings_N[hand] = storage::value_of(last.references, platform::kCeilings_N[hand]);
+  if (const auto side = storage::value_of(last.references, columns::affected_hand))
+    work.affected = *side == 0.0 ? Hand::left : Hand::right;
   const auto answers = store.answers(last.id);
   if (!answers) return answers.error();
   auto passive = passive_limits_in(*answers);

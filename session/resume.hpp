@@ -30,11 +30,13 @@ struct EarlierTrial {
 struct EarlierWork {
   std::optional<storage::RowId> first_id;  ///< the session that began the protocol
   std::optional<storage::RowId> last_id;   ///< the newest one
-  std::string allowed;                ///< outcome of its screening, as stored; empty: not asked
-  std::optional<double> ceiling_N;    ///< of its screening
-  std::vector<PassiveLimit> passive;  ///< of its screening, of an arm
-  std::vector<EarlierTrial> trials;   ///< in the order in which they were made
-  std::size_t trials_made = 0;        ///< broken ones included: no seed is used twice
+  std::string allowed;              ///< outcome of its screening, as stored; empty: not asked
+  std::optional<double> ceiling_N;  ///< of its screening
+  OfHands<std::optional<double>> ceilings_N;  ///< the same of each of both hands
+  std::optional<Hand> affected;               ///< side, of both hands; nothing: it was not known
+  std::vector<PassiveLimit> passive;          ///< of its screening, of an arm
+  std::vector<EarlierTrial> trials;           ///< in the order in which they were made
+  std::size_t trials_made = 0;                ///< broken ones included: no seed is used twice
 };
 
 /// The work that `session`, which has no row yet, can take up: that of the newest session of the

@@ -6,6 +6,7 @@
 
 #include "core/time.hpp"
 #include "device/config/uri.hpp"
+#include "hand/two_hands_columns.hpp"
 #include "session/arm/marker_arm.hpp"
 #include "session/arm/passive_range.hpp"
 #include "session/open_two_platforms.hpp"
@@ -60,9 +61,6 @@ Result<void> tell_of_person(TrackedHand& hand, storage::SessionStore& store,
   if (*other) entry = (*other)->entry;
   return hand.know_person(entry, simulated || *research == "given");
 }
-
-/// References of a session: no target asks a hand for more.
-constexpr OfHands<const char*> kCeilings_N{"left_ceiling_N", "right_ceiling_N"};
 
 /// The one hand that is affected; nothing: not known, both or neither.
 std::optional<Hand> affected_hand(const storage::PatientProfile& profile) {
@@ -284,7 +282,7 @@ Result<void> Session::Opening::describe_session() {
   if (config.allowed) session.allowed = tasks::name_of(*config.allowed);
   storage::set_value(session.references, platform::kCeiling_N, config.ceiling_N);
   for (const Hand hand : kBothHands)
-    storage::set_value(session.references, kCeilings_N[hand], config.ceilings_N[hand]);
+    storage::set_value(session.references, platform::kCeilings_N[hand], config.ceilings_N[hand]);
   if (uri.parameters.contains("seed"))
     session.seed = std::strtoull(uri.parameters.at("seed").c_str(), nullptr, 10);
   return {};
@@ -326,6 +324,11 @@ Result<void> Session::Opening::take_up_earlier_work() {
   if (known.record.allowed.empty()) known.record.allowed = known.earlier.allowed;
   if (!known.record.references.contains(platform::kCeiling_N))
     storage::set_value(known.record.references, platform::kCeiling_N, known.earlier.ceiling_N);
+  for (const Hand hand : kBothHands)
+    if (!known.record.references.contains(platform::kCeilings_N[hand]))
+      storage::set_value(known.record.references, platform::kCeilings_N[hand],
+                         known.earlier.ceilings_N[hand]);
+  if (!known.two_hands.affected) known.two_hands.affected = known.earlier.affected;
   if (known.arm_screening.passive.empty() && !known.earlier.passive.empty()) {
     known.arm_screening.passive = known.earlier.passive;
     const auto again = stored(known.earlier.passive);
@@ -344,9 +347,13 @@ Result<void> Session::Opening::set_references() {
   if (parts.platform != nullptr) references.resolution_N = parts.platform->resolution_N();
   for (const Hand hand : kBothHands) {
     tasks::HandReferences& of = known.two_hands.of[hand];
-    of.ceiling_N = storage::value_of(known.record.references, kCeilings_N[hand]);
+    const auto own_N = storage::value_of(known.record.references, platform::kCeilings_N[hand]);
+    of.ceiling_N = own_N ? own_N : references.ceiling_N;
     if (parts.two_platforms != nullptr) of.resolution_N = parts.two_platforms->resolution_N(hand);
   }
+  if (const auto& affected = known.two_hands.affected)
+    storage::set_value(known.record.references, columns::affected_hand,
+                       *affected == Hand::left ? 0.0 : 1.0);
   if (!known.record.allowed.empty()) known.arm_screening.way_done = known.training.way_done();
   for (const EarlierTrial& trial : known.earlier.trials)
     if (!trial.record.helped) {

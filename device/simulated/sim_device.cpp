@@ -113,7 +113,7 @@ class SimDevice final : public ForceDevice {
 Result<std::unique_ptr<ForceDevice>> open_sim_device(const Uri& uri, const DeviceOptions& options) {
   // A pair of hands is described by a file, a person by the parameters.
   const bool pair = uri.target == "pair";
-  if (auto known = pair ? uri.require_known({"file", "seed", "rate", "drop", "resolution"})
+  if (auto known = pair ? uri.require_known({"file", "hand", "seed", "rate", "drop", "resolution"})
                         : uri.require_known({"seed", "hand", "rate", "drop", "recovery", "day",
                                              "course", "strength", "resolution"});
       !known)
@@ -157,8 +157,11 @@ Result<std::unique_ptr<ForceDevice>> open_sim_device(const Uri& uri, const Devic
   info.units_per_count.fill(sensor_resolution(*step_N));
   info.range.fill(sensor_range());
   info.provenance = {"simulated: " + uri.text};
-  return std::unique_ptr<ForceDevice>(std::make_unique<SimDevice>(
-      std::move(info), *options.source, static_cast<std::uint64_t>(*seed), *drop));
+  // The sensors under both hands of a pair are not the same ones.
+  auto noise_seed = static_cast<std::uint64_t>(*seed);
+  if (pair) noise_seed = 2 * noise_seed + (hand == "left" ? 0 : 1);
+  return std::unique_ptr<ForceDevice>(
+      std::make_unique<SimDevice>(std::move(info), *options.source, noise_seed, *drop));
 }
 
 }  // namespace isograsp

@@ -2223,6 +2223,26 @@
         <translation>Beliebiger Kanal …</translation>
     </message>
     <message>
+        <source>Left hand</source>
+        <translation>Linke Hand</translation>
+    </message>
+    <message>
+        <source>Target of the left hand</source>
+        <translation>Ziel der linken Hand</translation>
+    </message>
+    <message>
+        <source>Right hand</source>
+        <translation>Rechte Hand</translation>
+    </message>
+    <message>
+        <source>Target of the right hand</source>
+        <translation>Ziel der rechten Hand</translation>
+    </message>
+    <message>
+        <source>Both hands</source>
+        <translation>Beide Hände</translation>
+    </message>
+    <message>
         <source>Task’s force</source>
         <translation>Kraft der Aufgabe</translation>
     </message>

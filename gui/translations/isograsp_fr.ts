@@ -2223,6 +2223,26 @@
         <translation>Toute voie enregistrée …</translation>
     </message>
     <message>
+        <source>Left hand</source>
+        <translation>Main gauche</translation>
+    </message>
+    <message>
+        <source>Target of the left hand</source>
+        <translation>Cible de la main gauche</translation>
+    </message>
+    <message>
+        <source>Right hand</source>
+        <translation>Main droite</translation>
+    </message>
+    <message>
+        <source>Target of the right hand</source>
+        <translation>Cible de la main droite</translation>
+    </message>
+    <message>
+        <source>Both hands</source>
+        <translation>Les deux mains</translation>
+    </message>
+    <message>
         <source>Task’s force</source>
         <translation>Force de la tâche</translation>
     </message>

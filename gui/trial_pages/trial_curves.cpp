@@ -13,6 +13,7 @@
 #include "gui/trial_pages/hand_replay.hpp"
 #include "gui/words/words.hpp"
 #include "hand/hand_columns.hpp"
+#include "hand/two_hands_columns.hpp"
 
 namespace isograsp::gui {
 
@@ -117,6 +118,12 @@ std::vector<TrialCurve> curves_of(const TrialReplay& replay, CurveSet set,
             look::kFingers[index_of(finger)]);
       add(columns::actual_force_N, QObject::tr("Task’s force"), look::kText);
       add(columns::target_force_N, QObject::tr("Target"), look::kText);
+      add(columns::hand_grip.left, QObject::tr("Left hand"), kCycle[0]);
+      add(columns::target_hand_grip.left, QObject::tr("Target of the left hand"), kCycle[0]);
+      add(columns::hand_grip.right, QObject::tr("Right hand"), kCycle[1]);
+      add(columns::target_hand_grip.right, QObject::tr("Target of the right hand"), kCycle[1]);
+      add(columns::sum_force_N, QObject::tr("Both hands"), look::kText);
+      add(columns::target_sum_force_N, QObject::tr("Target"), look::kText);
       break;
     case CurveSet::forearm:
     case CurveSet::wrist:

@@ -37,6 +37,20 @@ ApparatusInfo info_of(const DeviceInfo& left, const DeviceInfo& right) {
   return info;
 }
 
+/// A sensor that says the same serial number on both platforms is one sensor: each hand would be
+/// given half of what one hand does. Software has none.
+Result<void> check_sensors(const DeviceInfo& left, const DeviceInfo& right) {
+  if (left.simulated) return {};
+  for (const std::string& serial : left.serial_numbers)
+    if (!serial.empty() &&
+        std::count(right.serial_numbers.begin(), right.serial_numbers.end(), serial) > 0)
+      return refused("the sensor with the serial number %1 is in both platforms"_text(serial),
+                     "give each hand the configuration of its own platform"_text)
+          .at(right.uri)
+          .about("serial_number");
+  return {};
+}
+
 }  // namespace
 
 Result<void> TwoPlatforms::check(const Devices& devices) {
@@ -83,6 +97,10 @@ Result<void> TwoPlatforms::start(Clock& clock) {
       stop();
       return started;
     }
+  if (auto two = check_sensors(sides_.left.info(), sides_.right.info()); !two) {
+    stop();
+    return two;
+  }
   const Timestamp begin = std::max(sides_.left.now(), sides_.right.now());
   for (const Hand hand : kBothHands) sides_[hand].begin(begin);
   return {};

@@ -41,6 +41,7 @@ TEST(TwoPlatformsApp, AnErrorIsOneLineThatNamesTheCauseAndNothingIsWritten) {
            {both("sim://healthy", "sim://paretic"), "sim://pair"},
            {both(kPair, kPair) + " --affected both", "--affected"},
            {" --device sim://healthy --affected left", "--affected"},
+           {" --device sim://healthy --ceiling-left 5", "--ceiling-left"},
            {both("'sim://pair?file=nobody'", "'sim://pair?file=nobody'"), "nobody"},
            {both("sim://pair", "sim://pair"), "file=NAME"},
            {"", "--device"},
@@ -112,7 +113,8 @@ std::string boxes(const TemporaryFolder& folder, const char* hand, int first) {
              : f == 1 ? "index"
                       : "middle") +
             "\"\naddress = \"127.0.0." + std::to_string(first + f) +
-            ":49552:8552\"\nrange_N = [145, 145, 290]\nrange_Nm = [5, 5, 5]\n";
+            ":49552:8552\"\nserial_number = \"" + hand + "-" + std::to_string(f) +
+            "\"\nrange_N = [145, 145, 290]\nrange_Nm = [5, 5, 5]\n";
   return folder.write(std::string(hand) + ".toml", text);
 }
 

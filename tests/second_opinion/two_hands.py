@@ -97,7 +97,7 @@ def score_two_hands(results, record, affected, maxima, resting=None, phases=None
         push = np.array([record.column(name)[pushed.rows] for name in names])
         size = lambda p: np.sum(record.hold[pushed.rows] * np.sqrt(np.sum(p * p, axis=0)))
         each = size(push[:3]) + size(push[3:])
-        add("cancelled_share", float(100 * (1 - size(push[:3] + push[3:]) / each)) if each > 0 else None, pushed)
+        add("cancelled_share", float(100 * (1 - size(push[:3] + push[3:]) / each)) if each > 0.5 * np.sum(record.hold[pushed.rows]) else None, pushed)
     pairs = {"sum": (SUM, force["left"] + force["right"], ["left_force_N", "right_force_N"])}
     pairs |= {hand: (f"target_{hand}_force_N", force[hand], [f"{hand}_force_N"]) for hand in ("left", "right")}
     for name, (target, actual, columns) in pairs.items():

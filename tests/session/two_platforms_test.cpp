@@ -257,6 +257,27 @@ TEST(TwoPlatforms, PlatformsThatCannotStandSideBySideAreRefused) {
   EXPECT_FALSE(pair_of([](DeviceInfo& info) { info.recorded = true; }));
 }
 
+TEST(TwoPlatforms, ASensorThatBothPlatformsNameIsOneSensorAndRefused) {
+  const auto started = [](const char* left, const char* right) {
+    TwoPlatforms::Devices devices;
+    for (const Hand hand : kBothHands) {
+      auto made = std::make_unique<Scripted>("test://x");
+      made->info_.simulated = false;
+      made->info_.serial_numbers = {"A1", hand == Hand::left ? left : right, ""};
+      made->info_.serial_numbers[0] += name_of(hand);
+      devices[hand] = std::move(made);
+    }
+    ManualClock clock;
+    TwoPlatforms two(std::move(devices), nullptr, std::nullopt);
+    return static_cast<Apparatus&>(two).start(clock);
+  };
+  EXPECT_TRUE(started("B1", "B2"));
+  EXPECT_TRUE(started("", "")) << "not told";
+  const auto refused = started("B1", "B1");
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().field, "serial_number");
+}
+
 TEST(TwoPlatformsAddress, OnePlatformForTwoHandsIsRefusedButForAPairInSoftware) {
   const std::string can = "can://can0?protocol=rft";
   EXPECT_FALSE(two_platforms_uri({can, can}));
@@ -366,6 +387,46 @@ TEST(TwoHandsSession, TheSameSeedGivesTheSameBits) {
   for (std::size_t k = 0; k < once.result.trials.size(); ++k)
     EXPECT_EQ(once.result.trials[k].measures, again.result.trials[k].measures);
   EXPECT_NE(once.result.trials[2].measures, other.result.trials[2].measures);
+}
+
+TEST(TwoHandsSession, TheSensorsUnderBothHandsHaveNoiseOfTheirOwn) {
+  const PairSession session("healthy", storage::Side::none);
+  auto store = test::must(storage::open_store(session.database, storage::OpenMode::read_only));
+  const auto preparations =
+      test::must(store->preparations(test::must(store->recent_sessions(1)).at(0).id));
+  const auto sd = two_zeros_of(preparations.at(0), preparations.at(0).sd);
+  ASSERT_TRUE(sd.has_value());
+  for (std::size_t f = 0; f < kFingerCount; ++f) EXPECT_NE(sd->left[f], sd->right[f]);
+}
+
+TEST(TwoHandsSession, AResumedSessionKeepsSideAndCeilings) {
+  const test::TemporaryFolder folder;
+  SessionConfig config;
+  config.database = folder.path() + "/clinic.db";
+  config.create_database = true;
+  config.patient_code = "P-2";
+  config.hand.reset();
+  config.device_uri = pair_uri("paretic_left", 7);
+  config.library = kLibrary;
+  config.virtual_time = true;
+  config.clock_is_right = true;
+  const auto protocol =
+      test::must(read_protocol(kLibrary + "/protocols/two_hands_short.toml", kLibrary));
+  config.protocol_name = protocol.spec.name;
+  config.protocol_text = protocol.spec.text;
+  config.affected = Hand::left;
+  config.ceiling_N = 30.0;
+  config.ceilings_N.left = 4.0;
+  test::must(Session::open(config))->close();
+  config.affected.reset();
+  config.ceiling_N.reset();
+  config.ceilings_N = {};
+  config.resume = true;
+  const auto session = test::must(Session::open(config));
+  const tasks::TwoHandsReferences& known = session->known().two_hands;
+  EXPECT_EQ(known.affected, Hand::left);
+  EXPECT_EQ(known.of.left.ceiling_N, 4.0);
+  EXPECT_EQ(known.of.right.ceiling_N, 30.0) << "the one of both";
 }
 
 TEST(TwoHandsSession, ASideThatIsNotThatOfTheRecordIsRefused) {

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "session/open_two_platforms.hpp"
 #include "session/protocol/protocol_run.hpp"
 #include "session/session.hpp"
 #include "tests/support/must.hpp"
@@ -28,6 +29,7 @@ inline session::ProtocolResult run_whole(const WholeSession& what) {
   config.device_uri = what.device_uri;
   config.library = what.library;
   config.virtual_time = true;
+  if (session::two_platforms_in(what.device_uri)) config.hand.reset();
   const auto protocol = must(session::read_protocol(what.protocol, what.library));
   const auto session = must(session::Session::open(config));
   auto result = must(session::run_protocol(*session, protocol, {}));

@@ -20,6 +20,10 @@ using Goal = BilateralTrackingSpec::Goal;
 
 constexpr double kLeastRatio = 0.1;  // of either hand: less is no task of two hands
 
+const char* most_key(Scale scale) {
+  return scale == Scale::newton ? "most_N" : "most_fraction";
+}
+
 KindSpec read_bilateral_tracking(TomlReader& reader) {
   BilateralTrackingSpec spec;
   spec.goal = static_cast<Goal>(reader.choice("goal", {"sum", "each", "antiphase"}, 0));
@@ -35,8 +39,8 @@ KindSpec read_bilateral_tracking(TomlReader& reader) {
   spec.least = read_level(reader, aim, "least", spec.least);
   spec.most = read_level(reader, aim, "most", spec.most);
   if (spec.most <= spec.least)
-    reader.fail(spec.scale == Scale::newton ? "most_N" : "most_fraction",
-                "is not above the least level"_text, "write a larger number"_text);
+    reader.fail(most_key(spec.scale), "is not above the least level"_text,
+                "write a larger number"_text);
   spec.lead_in_s = read_wait(reader, "lead_in_s", spec.lead_in_s);
   spec.duration_s = read_duration(reader, "duration_s", spec.duration_s);
   spec.waveform = read_waveform(reader, spec.duration_s);
@@ -97,6 +101,7 @@ Result<std::unique_ptr<Task>> make_bilateral_tracking(const BilateralTrackingSpe
     if (!levels->empty()) levels->resize(1);
   HandsTimeline timeline;
   timeline.band_fraction = spec.band_fraction;
+  timeline.level_key = most_key(spec.scale);
   timeline.segments = {std::move(lead_in), std::move(follow)};
   return play_hands(std::move(timeline), context);
 }

@@ -64,12 +64,12 @@ Result<void> check_target(const HandsTimeline& timeline, const HandsSegment& seg
       return refused("asks the %1 hand for %2 N, more than half of its maximum of %3 N"_text(
                          word_of(hand), fixed(force_N, 1), fixed(*of[hand].maximum_N, 1)),
                      "choose a lower level, or another ratio"_text)
-          .about("most_fraction");
+          .about(timeline.level_key);
     if (of[hand].ceiling_N && force_N > *of[hand].ceiling_N * (1.0 + kSlack))
       return refused("asks the %1 hand for %2 N, above its ceiling of %3 N"_text(
                          word_of(hand), fixed(force_N, 1), fixed(*of[hand].ceiling_N, 1)),
                      "choose a lower level"_text)
-          .about("most_fraction");
+          .about(timeline.level_key);
     if (segment.phase != Phase::active || force_N == 0.0) continue;
     const double least_band_N = std::max(kLeastSteps * of[hand].resolution_N.value_or(0.0),
                                          kLeastNoise * of[hand].noise_sd_N.value_or(0.0));

@@ -31,6 +31,7 @@ struct HandsSegment {
 struct HandsTimeline {
   std::vector<HandsSegment> segments;
   double band_fraction = 0.0;  ///< of the target: half of what counts as on it; 0: there is no band
+  const char* level_key = "";  ///< in its file: names the field of a target that is refused
   bool rests = false;          ///< no effort is asked for, whatever the screening says
 };
 

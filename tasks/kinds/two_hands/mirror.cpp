@@ -59,6 +59,7 @@ Result<std::unique_ptr<Task>> make_mirror(const MirrorSpec& spec, const TaskCont
   hold.each_N[*hand] = {level_N};
   HandsTimeline timeline;
   timeline.band_fraction = spec.band_fraction;
+  timeline.level_key = "level_fraction";
   for (int k = 0; k < spec.repetitions; ++k) {
     timeline.segments.push_back(
         hands_relaxed(frames_in(spec.rest_s, context.period_s), Phase::lead_in));

@@ -88,13 +88,17 @@ statistics::Computed hand_synergy(const statistics::UniformSamples& left_N,
 
 statistics::Computed cancelled_share(std::span<const Vec3> left_N, std::span<const Vec3> right_N,
                                      std::span<const double> weight) {
+  // Hands that grip and do not push: what is left is the noise of six sensors.
+  constexpr double kLeastPush_N = 0.5;
   double together = 0.0;
   double each = 0.0;
+  double whole = 0.0;
   for (std::size_t k = 0; k < weight.size(); ++k) {
     together += weight[k] * (left_N[k] + right_N[k]).norm();
     each += weight[k] * (left_N[k].norm() + right_N[k].norm());
+    whole += weight[k];
   }
-  if (!(each > 0.0)) return kNeitherPresses;
+  if (!(each > kLeastPush_N * whole)) return "the hands do not push"_text;
   return 100.0 * (1.0 - together / each);
 }
 

@@ -36,7 +36,7 @@ struct HandShare {
                                                 const statistics::UniformSamples* target_N);
 
 /// Share of the pushes that the hands take from each other, version 1, in %:
-/// 100 (1 - sum(w |F_L + F_R|) / sum(w (|F_L| + |F_R|))).
+/// 100 (1 - sum(w |F_L + F_R|) / sum(w (|F_L| + |F_R|))); none below 0.5 N of both on average.
 [[nodiscard]] statistics::Computed cancelled_share(std::span<const Vec3> left_N,
                                                    std::span<const Vec3> right_N,
                                                    std::span<const double> weight);

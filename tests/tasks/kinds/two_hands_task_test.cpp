@@ -111,6 +111,7 @@ TEST(TwoHands, NoHandIsAskedForMoreThanHalfOfItsMaximum) {
   auto made = make_task(test::spec_of(spec), weak_left());
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().code, Error::Code::bad_input);
+  EXPECT_EQ(made.error().field, "most_fraction");
   EXPECT_NE(made.error().message().find("left hand for 12.0 N"), std::string::npos)
       << made.error().message();
   spec.ratio_left = 0.4;  // 9.6 N

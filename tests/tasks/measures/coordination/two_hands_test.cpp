@@ -118,8 +118,18 @@ TEST(TwoHands, OppositePushesCancelPushesOfOneDirectionDoNot) {
   const std::vector<double> weight{0.01, 0.02};
   EXPECT_WITHIN(*cancelled_share(push, opposite, weight).value, 100.0, kRounding);
   EXPECT_WITHIN(*cancelled_share(push, twice, weight).value, 0.0, kRounding);
-  const std::vector<Vec3> none(2, Vec3::Zero());
-  EXPECT_FALSE(cancelled_share(none, none, weight).value);
+}
+
+TEST(TwoHands, HandsThatDoNotPushTakeNothingFromEachOther) {
+  const std::vector<double> weight{0.01, 0.02};
+  const auto of_pushes = [&](double each_N) {
+    const std::vector<Vec3> left(2, Vec3(each_N, 0.0, 0.0));
+    const std::vector<Vec3> right(2, Vec3(0.0, each_N, 0.0));
+    return cancelled_share(left, right, weight);
+  };
+  EXPECT_FALSE(of_pushes(0.0).value);
+  EXPECT_FALSE(of_pushes(0.24).value) << "noise of six sensors";
+  EXPECT_TRUE(of_pushes(0.26).value);
 }
 
 TEST(TwoHands, TheCorrelationAtALagIsThatOfTheShiftedSamples) {

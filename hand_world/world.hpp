@@ -101,8 +101,7 @@ class World {
   /// was not lifted.
   [[nodiscard]] bool supported() const noexcept { return supported_; }
   /// Row of the assistance at a time, without its feasible grasp. The pull of a digit is the effort
-  /// of its spring along the outward normal less the force with which it presses, at least 0; of
-  /// one that is Assistance::kReleaseGap_m away the whole effort.
+  /// of its spring once it is Assistance::kReleaseGap_m away: who touches does not let go.
   [[nodiscard]] virtual_hand::AssistanceRow assistance_row(double t_s) const noexcept;
   /// Where a digit touches, for the criteria; nothing: it does not.
   [[nodiscard]] std::optional<virtual_hand::DigitContact> contact_of(Digit digit) const noexcept;

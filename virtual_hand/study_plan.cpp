@@ -22,8 +22,9 @@ struct Size {
 };
 constexpr Size size_of(SizeClass size) noexcept {
   switch (size) {
-    // H_min as `isograsp hand thresholds` finds it: 0.024 would refuse most pinches that close.
-    case SizeClass::small: return {0.01, 0.02, 0.02, {0.38, 0.014, 9e-5, 0.58, 8e-4}};
+    // G_min and H_min of pairs as `isograsp hand thresholds` finds them for the cuboid: 0.38 and
+    // 0.024 refuse many pinches that close, and exact force closure is asked for anyway.
+    case SizeClass::small: return {0.01, 0.02, 0.02, {0.35, 0.014, 9e-5, 0.58, 8e-4}};
     case SizeClass::flat: return {0.08, 0.01, 0.0, {0.093, 0.028, 3.5e-4, 0.15, 1.8e-3}};
     case SizeClass::slim: break;
   }

@@ -39,12 +39,11 @@ constexpr double kSettle_s = 0.1;       ///< after closing, before lifting
 constexpr double kLooksAt_s = 0.15;     ///< at a standing object before it is corrected
 constexpr int kMostMoves = 12;          ///< corrections of one transport; then it is good enough
 constexpr double kLost_m = 0.04;        ///< an object so far from where the hand has it is lost
-constexpr double kLost_rad = 1.2;
-constexpr double kStays_s = 0.3;      ///< … for so long
-constexpr double kGivesUp_s = 2.0;    ///< a screen that asks for nothing any more
-constexpr double kMostHarder = 4.0;   ///< times harder_m
-constexpr double kSkinsMeet_m = 0.0;  ///< no hand closes further on what is not there
-constexpr double kNarrow_m = 0.015;   ///< too narrow for two fingers beside each other
+constexpr double kStays_s = 0.3;        ///< … for so long
+constexpr double kGivesUp_s = 2.0;      ///< a screen that asks for nothing any more
+constexpr double kMostHarder = 4.0;     ///< times harder_m
+constexpr double kSkinsMeet_m = 0.0;    ///< no hand closes further on what is not there
+constexpr double kNarrow_m = 0.015;     ///< too narrow for two fingers beside each other
 /// Where the hand rests: over the table before the person, on the side of the hand.
 const Vec3 kRestPlace_W(0.12, 0.18, 0.18);
 /// The line from thumb to fingers of a hand that comes from there, level.
@@ -149,11 +148,10 @@ struct VirtualGrasper::Mind {
   void leave(double t_s) noexcept;
   void follow_cue(double t_s) noexcept;
   void move_palm(const Pose& to, double t_s) noexcept;
-  /// The object is not where the hand that was there then would have it.
+  /// The object is not where the hand that was there then would have it. One that has turned in
+  /// the hand is not lost: they look again.
   [[nodiscard]] bool lost() const noexcept {
-    const Pose expected = compose(palm.at(pictured_s), X_PO);
-    return (expected.p - task.X_WO.p).norm() > kLost_m ||
-           angle_between(expected.q, task.X_WO.q) > kLost_rad;
+    return (compose(palm.at(pictured_s), X_PO).p - task.X_WO.p).norm() > kLost_m;
   }
   /// Palm that holds the object as it is seen, closed.
   [[nodiscard]] Pose palm_at_object() const noexcept;

@@ -52,6 +52,19 @@ Json as_json(const std::array<Vec6, kFingerCount>& wrenches) {
   return all;
 }
 
+/// Of one platform, or of that of each hand.
+Json zero_as_json(const storage::PreparationRecord& zero) {
+  Json json{{"session_time_s", zero.session_time_s}, {"units", "N N N Nm Nm Nm"}};
+  for (const auto& [name, row] : {std::pair("mean", &zero.mean), std::pair("sd", &zero.sd)}) {
+    if (const auto both = platform::two_six_axes_of(zero.columns, *row))
+      for (const Hand hand : kBothHands)
+        json[std::string(name_of(hand))][name] = as_json((*both)[hand]);
+    else
+      json[name] = as_json(wrenches_of(zero, *row));
+  }
+  return json;
+}
+
 Json as_json(const Measure& measure) {
   Json one{{"name", measure.name}, {"channel", measure.channel}, {"value", nullptr}};
   const bool is_number = measure.value && std::isfinite(*measure.value);  // JSON has no other
@@ -180,11 +193,7 @@ std::string trial_as_json(const ExportTrial& trial, std::int64_t infinite,
   for (const auto& [axes, description] : kColumnAxes)
     if (trial.place.tracked || !are_of_cameras(axes))
       json["axes"][std::string(axes)] = translated(description, language);
-  if (trial.zero)
-    json["instrument_zero"] = {{"session_time_s", trial.zero->session_time_s},
-                               {"units", "N N N Nm Nm Nm"},
-                               {"mean", as_json(wrenches_of(*trial.zero, trial.zero->mean))},
-                               {"sd", as_json(wrenches_of(*trial.zero, trial.zero->sd))}};
+  if (trial.zero) json["instrument_zero"] = zero_as_json(*trial.zero);
   if (const auto& rest = trial.rest) {
     const auto since_s = storage::value_of(rest->references, platform::kSinceStrapping_s);
     json["resting_force"] = {

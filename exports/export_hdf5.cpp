@@ -62,8 +62,18 @@ void write_zero_and_rest(Hdf5Node& group, const ExportTrial& trial) {
   if (const auto& zero = trial.zero) {
     auto node = group.make_group("instrument_zero");
     node.set("session_time_s", zero->session_time_s);
-    write_wrenches(node, "mean", wrenches_of(*zero, zero->mean));
-    write_wrenches(node, "sd", wrenches_of(*zero, zero->sd));
+    const auto mean = platform::two_six_axes_of(zero->columns, zero->mean);
+    const auto sd = platform::two_six_axes_of(zero->columns, zero->sd);
+    if (mean && sd) {
+      for (const Hand hand : kBothHands) {
+        auto side = node.make_group(std::string(name_of(hand)));
+        write_wrenches(side, "mean", (*mean)[hand]);
+        write_wrenches(side, "sd", (*sd)[hand]);
+      }
+    } else {
+      write_wrenches(node, "mean", wrenches_of(*zero, zero->mean));
+      write_wrenches(node, "sd", wrenches_of(*zero, zero->sd));
+    }
   }
   if (const auto& rest = trial.rest) {
     auto node = group.make_group("resting_force");

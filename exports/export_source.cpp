@@ -192,9 +192,11 @@ Result<ExportTrial> load_trial(storage::SessionStore& store, const ExportSource&
   const auto preparations = store.preparations(source.session->id);
   if (!preparations) return preparations.error();
   for (const auto& one : *preparations) {
-    if (!platform::six_axes_of(one.columns, one.mean)) continue;  // of another apparatus
+    const bool of_two = platform::two_six_axes_of(one.columns, one.mean).has_value();
+    if (!of_two && !platform::six_axes_of(one.columns, one.mean)) continue;  // of another apparatus
     const bool in_force = std::ranges::count(source.trial->preparations, one.id) > 0;
-    if (one.kind == platform::kInstrumentZero && in_force) exported.zero = without_time(one);
+    if ((of_two || one.kind == platform::kInstrumentZero) && in_force)
+      exported.zero = without_time(one);
     if (one.kind == platform::kRestingForce && one.trial_id == source.trial->id)
       exported.rest = without_time(one);
   }

@@ -42,7 +42,8 @@ struct ExportTrial {
   storage::SessionRecord session;
   std::string instruction;     ///< of the task; empty: its task file cannot be read
   storage::TrialRecord trial;  ///< its groups name all columns of `signals`
-  std::optional<storage::PreparationRecord> zero;  ///< without time of day and operator
+  /// Without time of day and operator; of both where two platforms measured.
+  std::optional<storage::PreparationRecord> zero;
   std::optional<storage::PreparationRecord> rest;  ///< likewise; both have wrenches of the fingers
   std::vector<Measure> measures;
   std::vector<storage::EventRecord> events;  ///< without notes

@@ -28,4 +28,21 @@ std::optional<SixAxes> six_axes_of(std::span<const std::string> columns,
   return wrenches;
 }
 
+std::vector<std::string> two_six_axes_columns() {
+  std::vector<std::string> names;
+  for (const Hand hand : kBothHands)
+    for (const std::string& name : six_axes_columns())
+      names.push_back(std::string(name_of(hand)) + "_" + name);
+  return names;
+}
+
+std::optional<OfHands<SixAxes>> two_six_axes_of(std::span<const std::string> columns,
+                                                std::span<const double> row) {
+  if (!std::ranges::equal(columns, two_six_axes_columns()) || row.size() != columns.size())
+    return {};
+  const auto own = six_axes_columns();
+  return OfHands<SixAxes>{*six_axes_of(own, row.first(own.size())),
+                          *six_axes_of(own, row.last(own.size()))};
+}
+
 }  // namespace isograsp::platform

@@ -21,7 +21,7 @@ namespace platform {
 // Kinds of preparation.
 inline constexpr const char* kInstrumentZero = "instrument_zero";  ///< device empty
 inline constexpr const char* kRestingForce = "resting_force";      ///< hand in, relaxed
-/// Of two platforms, both empty: left_thumb_fx_N … right_middle_tz_Nm.
+/// Of two platforms, both empty.
 inline constexpr const char* kTwoInstrumentZeros = "two_instrument_zeros";
 
 // References of a session, of a trial and of a preparation.
@@ -48,6 +48,12 @@ inline constexpr const char* kSinceStrapping_s = "since_strapping_s";
 /// Nothing: the columns are others.
 [[nodiscard]] std::optional<SixAxes> six_axes_of(std::span<const std::string> columns,
                                                  std::span<const double> row);
+
+/// Of two platforms: left_thumb_fx_N … right_middle_tz_Nm.
+[[nodiscard]] std::vector<std::string> two_six_axes_columns();
+/// Nothing: the columns are others.
+[[nodiscard]] std::optional<OfHands<SixAxes>> two_six_axes_of(std::span<const std::string> columns,
+                                                              std::span<const double> row);
 
 }  // namespace platform
 }  // namespace isograsp

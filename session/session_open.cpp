@@ -378,7 +378,7 @@ void Session::Opening::start_recording() {
     if (const auto mean = platform::six_axes_of(last_zero->columns, last_zero->mean))
       parts.platform->set_last_zero(*mean);
   if (last_zero && parts.two_platforms != nullptr)
-    if (const auto mean = two_zeros_of(*last_zero, last_zero->mean))
+    if (const auto mean = platform::two_six_axes_of(last_zero->columns, last_zero->mean))
       parts.two_platforms->set_last_zeros(*mean);
   parts.acquisition = std::make_unique<Acquisition>(*parts.apparatus, *parts.clock);
   auto writer = std::make_unique<SessionWriter>(std::move(store), patient, record(), answers,

@@ -21,7 +21,7 @@ std::optional<std::array<Vec3, kFingerCount>> noise_of(const storage::Preparatio
 /// The noise of the grip of each hand, both platforms empty.
 void learn_noise(const storage::PreparationRecord& zeros, tasks::TwoHandsReferences& references) {
   if (zeros.kind != platform::kTwoInstrumentZeros) return;
-  const auto sd = two_zeros_of(zeros, zeros.sd);
+  const auto sd = platform::two_six_axes_of(zeros.columns, zeros.sd);
   if (!sd) return;
   for (const Hand hand : kBothHands) {
     std::array<Vec3, kFingerCount> sd_N;

@@ -13,14 +13,6 @@ std::string of_hand(Hand hand, std::string_view name) {
   return std::string(name_of(hand)) + "_" + std::string(name);
 }
 
-std::vector<std::string> columns_of_both() {
-  std::vector<std::string> names;
-  for (const Hand hand : kBothHands)
-    for (const std::string& name : platform::six_axes_columns())
-      names.push_back(of_hand(hand, name));
-  return names;
-}
-
 Text on_platform(Hand hand, Text words) {
   return hand == Hand::left ? "Left platform: %1"_text(std::move(words))
                             : "Right platform: %1"_text(std::move(words));
@@ -34,7 +26,7 @@ PreparationOutcome TwoZeros::outcome() const {
   both.accepted = true;
   both.only_changed = true;
   both.record.kind = platform::kTwoInstrumentZeros;
-  both.record.columns = columns_of_both();
+  both.record.columns = platform::two_six_axes_columns();
   std::vector<Text> reasons;
   std::vector<Text> remarks;
   for (const Hand hand : kBothHands) {
@@ -55,18 +47,6 @@ PreparationOutcome TwoZeros::outcome() const {
   both.only_changed = both.only_changed && !both.accepted;
   both.reason = joined(reasons);
   if (both.accepted) both.remark = joined(remarks);
-  return both;
-}
-
-std::optional<OfHands<SixAxes>> two_zeros_of(const storage::PreparationRecord& zeros,
-                                             const std::vector<double>& row) {
-  const auto names = columns_of_both();
-  if (zeros.columns != names || row.size() != names.size()) return std::nullopt;
-  OfHands<SixAxes> both;
-  auto next = row.begin();
-  for (const Hand hand : kBothHands)
-    for (Vec6& finger : both[hand])
-      for (double& value : finger) value = *next++;
   return both;
 }
 

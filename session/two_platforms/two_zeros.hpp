@@ -19,8 +19,4 @@ struct TwoZeros final : public Preparation {
   OfHands<bool> ended;  ///< its second is over
 };
 
-/// The mean, or the standard deviation, of each platform; nothing: the columns are others.
-[[nodiscard]] std::optional<OfHands<SixAxes>> two_zeros_of(const storage::PreparationRecord& zeros,
-                                                           const std::vector<double>& row);
-
 }  // namespace isograsp::session

@@ -140,7 +140,7 @@ TEST(TwoPlatforms, BothZerosAreSubtractedAndStoredSideBySide) {
     for (std::size_t f = 0; f < kFingerCount; ++f)
       EXPECT_EQ(bench.now().of[hand].forces.wrench_C[f].force.z(), 0.0);
   EXPECT_TRUE(bench.now().zeroed);
-  const auto means = two_zeros_of(outcome.record, outcome.record.mean);
+  const auto means = platform::two_six_axes_of(outcome.record.columns, outcome.record.mean);
   ASSERT_TRUE(means.has_value());
   EXPECT_EQ(means->left[0][2], 0.5);
   EXPECT_EQ(means->right[1][2], 2.0);
@@ -394,7 +394,7 @@ TEST(TwoHandsSession, TheSensorsUnderBothHandsHaveNoiseOfTheirOwn) {
   auto store = test::must(storage::open_store(session.database, storage::OpenMode::read_only));
   const auto preparations =
       test::must(store->preparations(test::must(store->recent_sessions(1)).at(0).id));
-  const auto sd = two_zeros_of(preparations.at(0), preparations.at(0).sd);
+  const auto sd = platform::two_six_axes_of(preparations.at(0).columns, preparations.at(0).sd);
   ASSERT_TRUE(sd.has_value());
   for (std::size_t f = 0; f < kFingerCount; ++f) EXPECT_NE(sd->left[f], sd->right[f]);
 }

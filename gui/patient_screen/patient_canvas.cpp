@@ -12,6 +12,7 @@
 #include "gui/patient_screen/patient_ink.hpp"
 #include "gui/patient_screen/patient_range.hpp"
 #include "gui/patient_screen/patient_signs.hpp"
+#include "gui/patient_screen/patient_two_hands.hpp"
 
 namespace isograsp::gui {
 
@@ -290,6 +291,10 @@ void paint_page(QPainter& painter, const QRectF& area, const PatientPicture& pic
     case PatientPicture::Page::range:
       draw_words(painter, area, picture);
       paint_range(painter, part(area, 0.06, 0.30, 0.94, 0.92), picture);
+      break;
+    case PatientPicture::Page::two_hands:
+      draw_words(painter, area, picture);
+      paint_two_hands(painter, area, picture);
       break;
     default: draw_message(painter, area, picture);
   }

@@ -232,7 +232,9 @@ void add_trial(const PatientFacts& facts, PatientPicture& picture) {
   picture.progress_shown = seen.progress.duration_s > 0.0;
   if (picture.progress_shown)
     picture.progress = std::clamp(seen.progress.task_time_s / seen.progress.duration_s, 0.0, 1.0);
-  if (facts.tracked) {
+  if (seen.hands) {
+    add_two_hands(facts, picture);
+  } else if (facts.tracked) {
     add_hand_trial(facts, picture);
   } else if (facts.arm != nullptr) {
     add_arm(facts, picture);
@@ -251,11 +253,15 @@ void add_trial(const PatientFacts& facts, PatientPicture& picture) {
 
 /// What is measured may rest.
 QString relax_words(const PatientFacts& facts) {
+  if (facts.both_hands) return PictureTexts::tr("Relax both hands.");
   return facts.arm != nullptr ? PictureTexts::tr("Relax your arm.")
                               : PictureTexts::tr("Relax your hand.");
 }
 
 void add_idle(const PatientFacts& facts, PatientPicture& picture) {
+  if (facts.both_hands && facts.session_open && facts.arrived &&
+      add_two_hands_between(facts, picture))
+    return;
   if (!facts.session_open || !facts.arrived)
     return say(picture, Sign::wait, PictureTexts::tr("Welcome"),
                PictureTexts::tr("We will begin in a moment."));
@@ -293,12 +299,15 @@ void add_notice(const PatientFacts& facts, PatientPicture& picture) {
              ? PictureTexts::tr("The cameras need help. You did nothing wrong. Relax your arm.")
          : facts.tracked
              ? PictureTexts::tr("The camera needs help. You did nothing wrong. Relax your hand.")
+         : facts.both_hands
+             ? PictureTexts::tr("The device needs help. You did nothing wrong. Relax both hands.")
              : PictureTexts::tr("The device needs help. You did nothing wrong. Relax your hand."))
             .toStdString();
   } else if (paused && !((facts.arm != nullptr || facts.tracked) &&
                          session::goes_on_by_itself(facts.pause_cause))) {
     picture.notice = Notice::pause;
     picture.notice_words = (facts.arm != nullptr ? PictureTexts::tr("Pause. Relax your arm.")
+                            : facts.both_hands   ? PictureTexts::tr("Pause. Relax both hands.")
                                                  : PictureTexts::tr("Pause. Relax your hand."))
                                .toStdString();
   }

@@ -14,6 +14,7 @@
 #include "gui/picture/hand_picture.hpp"
 #include "gui/picture/presentation.hpp"
 #include "gui/picture/target_preview.hpp"
+#include "gui/picture/two_hands_picture.hpp"
 #include "hand/stimulus.hpp"
 #include "session/acquisition/moment.hpp"
 
@@ -38,6 +39,7 @@ struct PatientFacts {
   /// Of an arm seen by cameras, whose real object is drawn; null: there is none.
   std::shared_ptr<const ArmSpace> arm;
   Vec3 centre_W = Vec3::Zero();  ///< of its picture [m]
+  bool both_hands = false;       ///< are in devices, each in its own; `hand` says nothing then
   /// Of a tracked hand: beside the stimulus the own hand is drawn, too.
   std::optional<session::HandSnapshot> tracked;
   std::optional<double> maximum_force_N;
@@ -69,7 +71,16 @@ struct DigitPicture {
 };
 
 struct PatientPicture {
-  enum class Page : std::uint8_t { message, effort, tracking, directions, object, range, hand };
+  enum class Page : std::uint8_t {
+    message,
+    effort,
+    tracking,
+    directions,
+    object,
+    range,
+    hand,
+    two_hands
+  };
   /// `act`: what the channel asks for.
   enum class Sign : std::uint8_t { wait, hand_out, rest, act, let_go, memory, good };
   enum class Notice : std::uint8_t { none, pause, fault };
@@ -119,9 +130,10 @@ struct PatientPicture {
   int targets_reached = 0;
   int target_count = 0;
   std::array<FingerPicture, kFingerCount> fingers{};
-  ShownAngle angle;                         ///< of a range that the own body turns
-  std::optional<HandPicture> tracked_hand;  ///< page `hand`
-  bool camera_on = false;                   ///< on every page while a camera looks at the person
+  ShownAngle angle;                          ///< of a range that the own body turns
+  std::optional<HandPicture> tracked_hand;   ///< page `hand`
+  std::optional<TwoHandsPicture> two_hands;  ///< page `two_hands`
+  bool camera_on = false;                    ///< on every page while a camera looks at the person
 };
 
 /// Half the band round a force target, of the height of the field.

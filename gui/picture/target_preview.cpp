@@ -29,6 +29,25 @@ void append_targets(const tasks::Segment& segment, std::vector<double>& target_N
     target_N.insert(target_N.end(), segment.target_N.begin(), segment.target_N.end());
 }
 
+/// A task of both hands has no timeline that says what it asks of them: it is played.
+TargetPreview::Hands hands_of(const tasks::TaskSpec& spec, const tasks::TaskContext& context) {
+  TargetPreview::Hands hands;
+  const auto task = tasks::make_task(spec, context);
+  if (!task) return hands;
+  const tasks::TwoHandsInput nothing_pressed;
+  for (tasks::TaskView view = (*task)->step(nothing_pressed); view.phase != tasks::Phase::done;
+       view = (*task)->step(nothing_pressed)) {
+    const tasks::TwoHandsView& asked = view.two_hands();
+    hands.most_sum_N = std::max(hands.most_sum_N, asked.target_sum_N.value_or(0.0));
+    hands.cues.resize(static_cast<std::size_t>(view.segment) + 1);
+    for (const Hand hand : kBothHands) {
+      hands.most_N[hand] = std::max(hands.most_N[hand], asked.of[hand].target_N.value_or(0.0));
+      hands.cues.back()[hand] = asked.of[hand].cue;
+    }
+  }
+  return hands;
+}
+
 }  // namespace
 
 double ForceAxis::share_per_N() const noexcept {
@@ -72,6 +91,10 @@ TargetPreview preview_target(const tasks::TaskSpec& spec, const tasks::TaskConte
   TargetPreview preview;
   preview.period_s = context.period_s;
   if (!spec.scene().empty()) return preview;
+  if (spec.kind->group == tasks::TaskGroup::two_hands) {
+    preview.hands = hands_of(spec, context);
+    return preview;
+  }
   const auto timeline = tasks::timeline_of(spec, context);
   if (!timeline) return preview;
   const tasks::Aim* aim = spec.aim();

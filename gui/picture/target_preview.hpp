@@ -30,6 +30,13 @@ struct TargetPreview {
     ForceChannel channel;
     bool steady = false;  ///< a target that stays where it is
   };
+  /// Of a task of both hands: what is asked at most of each and of both together [N]; 0: nothing
+  /// is. What is asked most stays at its height for the trial.
+  struct Hands {
+    OfHands<double> most_N;
+    double most_sum_N = 0.0;
+    std::vector<OfHands<Cue>> cues;  ///< one for each part
+  };
   double period_s = 0.0;
   /// Value k is the target at task time k * period_s; NaN: none on the screen then. Empty unless
   /// some future may be seen.
@@ -40,6 +47,7 @@ struct TargetPreview {
   std::optional<double> gain_deg_per_N;
   double digits_N = 0.0;  ///< largest force asked of a single digit; 0: none is asked
   std::vector<Part> parts;
+  Hands hands;
 
   [[nodiscard]] bool has_target() const noexcept { return axis.most_N > axis.least_N; }
   /// Linear between two values; nothing where no target may be seen: before the start, after the

@@ -6,6 +6,7 @@
 #include "session/arm/arm_snapshot.hpp"
 #include "session/platform/snapshot.hpp"
 #include "session/tracked_hand/hand_snapshot.hpp"
+#include "session/two_platforms/two_platforms_snapshot.hpp"
 
 namespace isograsp::gui {
 
@@ -43,6 +44,17 @@ namespace isograsp::gui {
   facts.published = now.published;
   facts.stimulus = session::screen_of(now);
   facts.tracked = now;
+  return facts;
+}
+/// The same of two platforms.
+[[nodiscard]] inline PatientFacts patient_facts(const session::TwoPlatformsSnapshot& now) {
+  PatientFacts facts;
+  facts.both_hands = true;
+  facts.arrived = now.frames > 0;
+  facts.stage = now.stage;
+  facts.pause_cause = now.pause_cause;
+  facts.published = now.published;
+  facts.stimulus = session::screen_of(now);
   return facts;
 }
 

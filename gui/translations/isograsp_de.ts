@@ -1516,6 +1516,111 @@
         <source>The camera needs help. You did nothing wrong. Relax your hand.</source>
         <translation>Die Kamera braucht Hilfe. Sie haben nichts falsch gemacht. Entspannen Sie die Hand.</translation>
     </message>
+    <message>
+        <source>Relax both hands.</source>
+        <translation>Entspannen Sie beide Hände.</translation>
+    </message>
+    <message>
+        <source>The device needs help. You did nothing wrong. Relax both hands.</source>
+        <translation>Das Gerät braucht Hilfe. Sie haben nichts falsch gemacht. Entspannen Sie beide Hände.</translation>
+    </message>
+    <message>
+        <source>Pause. Relax both hands.</source>
+        <translation>Pause. Entspannen Sie beide Hände.</translation>
+    </message>
+    <message>
+        <source>squeezes</source>
+        <translation>drückt kräftig</translation>
+    </message>
+    <message>
+        <source>presses</source>
+        <translation>drückt</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <comment>the other hand works</comment>
+        <translation>in Ruhe</translation>
+    </message>
+    <message>
+        <source>rests</source>
+        <translation>ruht</translation>
+    </message>
+    <message>
+        <source>Next: both hands</source>
+        <translation>Als Nächstes: beide Hände</translation>
+    </message>
+    <message>
+        <source>Next: left hand</source>
+        <translation>Als Nächstes: linke Hand</translation>
+    </message>
+    <message>
+        <source>Next: right hand</source>
+        <translation>Als Nächstes: rechte Hand</translation>
+    </message>
+    <message>
+        <source>Let both hands rest</source>
+        <translation>Beide Hände ruhen lassen</translation>
+    </message>
+    <message>
+        <source>Squeeze with both hands!</source>
+        <translation>Mit beiden Händen zudrücken!</translation>
+    </message>
+    <message>
+        <source>Squeeze with the left hand!</source>
+        <translation>Mit der linken Hand zudrücken!</translation>
+    </message>
+    <message>
+        <source>Squeeze with the right hand!</source>
+        <translation>Mit der rechten Hand zudrücken!</translation>
+    </message>
+    <message>
+        <source>Press with both hands</source>
+        <translation>Mit beiden Händen drücken</translation>
+    </message>
+    <message>
+        <source>Together up to the line</source>
+        <translation>Gemeinsam bis zur Linie</translation>
+    </message>
+    <message>
+        <source>Each hand up to its line</source>
+        <translation>Jede Hand bis zu ihrer Linie</translation>
+    </message>
+    <message>
+        <source>Press with the left hand</source>
+        <translation>Mit der linken Hand drücken</translation>
+    </message>
+    <message>
+        <source>Press with the right hand</source>
+        <translation>Mit der rechten Hand drücken</translation>
+    </message>
+    <message>
+        <source>Other hand at rest</source>
+        <translation>Andere Hand in Ruhe</translation>
+    </message>
+    <message>
+        <source>Left hand</source>
+        <translation>Linke Hand</translation>
+    </message>
+    <message>
+        <source>Right hand</source>
+        <translation>Rechte Hand</translation>
+    </message>
+    <message>
+        <source>Together</source>
+        <translation>Gemeinsam</translation>
+    </message>
+    <message>
+        <source>The devices measure themselves.</source>
+        <translation>Die Geräte messen sich selbst.</translation>
+    </message>
+    <message>
+        <source>Please take both hands out of the devices</source>
+        <translation>Bitte beide Hände aus den Geräten nehmen</translation>
+    </message>
+    <message>
+        <source>Relax both hands</source>
+        <translation>Beide Hände entspannen</translation>
+    </message>
 </context>
 <context>
     <name>Posture</name>
@@ -7486,6 +7591,14 @@ Neuester Wert %3.%4 Pfeiltasten gehen zum nächsten Bild, Eingabe oder ein Klick
     <message>
         <source>%L1 ×</source>
         <translation>%L1 ×</translation>
+    </message>
+    <message>
+        <source>Picture of both hands</source>
+        <translation>Bild beider Hände</translation>
+    </message>
+    <message>
+        <source>What the patient saw: the force of each hand and what was asked (Space)</source>
+        <translation>Was zu sehen war: die Kraft jeder Hand und was verlangt war (Leertaste)</translation>
     </message>
 </context>
 <context>

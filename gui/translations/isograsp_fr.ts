@@ -1516,6 +1516,111 @@
         <source>The camera needs help. You did nothing wrong. Relax your hand.</source>
         <translation>La caméra a besoin d’aide. Vous n’avez rien fait de mal. Détendez la main.</translation>
     </message>
+    <message>
+        <source>Relax both hands.</source>
+        <translation>Détendez les deux mains.</translation>
+    </message>
+    <message>
+        <source>The device needs help. You did nothing wrong. Relax both hands.</source>
+        <translation>L’appareil a besoin d’aide. Vous n’avez rien fait de mal. Détendez les deux mains.</translation>
+    </message>
+    <message>
+        <source>Pause. Relax both hands.</source>
+        <translation>Pause. Détendez les deux mains.</translation>
+    </message>
+    <message>
+        <source>squeezes</source>
+        <translation>serre</translation>
+    </message>
+    <message>
+        <source>presses</source>
+        <translation>appuie</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <comment>the other hand works</comment>
+        <translation>au repos</translation>
+    </message>
+    <message>
+        <source>rests</source>
+        <translation>se repose</translation>
+    </message>
+    <message>
+        <source>Next: both hands</source>
+        <translation>Ensuite : les deux mains</translation>
+    </message>
+    <message>
+        <source>Next: left hand</source>
+        <translation>Ensuite : la main gauche</translation>
+    </message>
+    <message>
+        <source>Next: right hand</source>
+        <translation>Ensuite : la main droite</translation>
+    </message>
+    <message>
+        <source>Let both hands rest</source>
+        <translation>Laissez les deux mains au repos</translation>
+    </message>
+    <message>
+        <source>Squeeze with both hands!</source>
+        <translation>Serrez avec les deux mains !</translation>
+    </message>
+    <message>
+        <source>Squeeze with the left hand!</source>
+        <translation>Serrez avec la main gauche !</translation>
+    </message>
+    <message>
+        <source>Squeeze with the right hand!</source>
+        <translation>Serrez avec la main droite !</translation>
+    </message>
+    <message>
+        <source>Press with both hands</source>
+        <translation>Appuyez avec les deux mains</translation>
+    </message>
+    <message>
+        <source>Together up to the line</source>
+        <translation>Ensemble jusqu’à la ligne</translation>
+    </message>
+    <message>
+        <source>Each hand up to its line</source>
+        <translation>Chaque main jusqu’à sa ligne</translation>
+    </message>
+    <message>
+        <source>Press with the left hand</source>
+        <translation>Appuyez avec la main gauche</translation>
+    </message>
+    <message>
+        <source>Press with the right hand</source>
+        <translation>Appuyez avec la main droite</translation>
+    </message>
+    <message>
+        <source>Other hand at rest</source>
+        <translation>Autre main au repos</translation>
+    </message>
+    <message>
+        <source>Left hand</source>
+        <translation>Main gauche</translation>
+    </message>
+    <message>
+        <source>Right hand</source>
+        <translation>Main droite</translation>
+    </message>
+    <message>
+        <source>Together</source>
+        <translation>Ensemble</translation>
+    </message>
+    <message>
+        <source>The devices measure themselves.</source>
+        <translation>Les appareils se mesurent eux-mêmes.</translation>
+    </message>
+    <message>
+        <source>Please take both hands out of the devices</source>
+        <translation>Retirez les deux mains des appareils</translation>
+    </message>
+    <message>
+        <source>Relax both hands</source>
+        <translation>Détendez les deux mains</translation>
+    </message>
 </context>
 <context>
     <name>Posture</name>
@@ -7486,6 +7591,14 @@ Dernière valeur %3.%4 Les flèches passent à l’image suivante, Entrée ou un
     <message>
         <source>%L1 ×</source>
         <translation>%L1 ×</translation>
+    </message>
+    <message>
+        <source>Picture of both hands</source>
+        <translation>Image des deux mains</translation>
+    </message>
+    <message>
+        <source>What the patient saw: the force of each hand and what was asked (Space)</source>
+        <translation>Ce que le patient a vu : la force de chaque main et ce qui était demandé (espace)</translation>
     </message>
 </context>
 <context>

@@ -51,6 +51,10 @@ Result<LoadedTrial> load_trial(storage::SessionStore& store, const storage::Sess
     loaded.path = loaded.replay.path(kPathStep_m);
     return loaded;
   }
+  if (TwoHandsReplay::is_of_two_hands(loaded.replay)) {
+    loaded.two_hands = std::make_shared<const TwoHandsReplay>(loaded.replay);
+    return loaded;
+  }
   if (!trial.scene_text.empty())
     if (auto scene = parse_scene(trial.scene_text, trial.task_name))
       loaded.scene = std::make_shared<const Scene>(
@@ -78,6 +82,13 @@ PatientPicture picture_at(const LoadedTrial& trial, const ReplayState& state) {
     facts.hand = trial.opened.session.hand.value_or(Hand::right);
     facts.task = trial.task;
     facts.stage = session::Stage::trial;
+    return picture_for(facts);
+  }
+  if (trial.two_hands) {
+    facts = patient_facts(trial.two_hands->at(trial.replay, state));
+    facts.session_open = true;
+    facts.task = trial.task;
+    facts.preview = trial.two_hands->preview();
     return picture_for(facts);
   }
   facts.session_open = true;

@@ -12,6 +12,7 @@
 #include "gui/trial_pages/hand_replay.hpp"
 #include "gui/trial_pages/opened_trial.hpp"
 #include "gui/trial_pages/trial_replay.hpp"
+#include "gui/trial_pages/two_hands_replay.hpp"
 
 namespace isograsp::gui {
 
@@ -25,7 +26,8 @@ struct LoadedTrial {
   std::vector<Vec3> path;  ///< of the object's centre, in the world; NaN: interrupted
   /// Of an arm seen by cameras, whose world is then that of the screens; null: of anything else.
   std::shared_ptr<const ArmReplay> arm;
-  std::shared_ptr<const HandReplay> tracked;  ///< of a tracked hand; null: of anything else
+  std::shared_ptr<const HandReplay> tracked;        ///< of a tracked hand; null: of anything else
+  std::shared_ptr<const TwoHandsReplay> two_hands;  ///< of both hands; null: of anything else
   QString why_no_picture;  ///< arm or hand was recorded and cannot be drawn; empty: it can
 };
 
@@ -36,7 +38,7 @@ struct LoadedTrial {
                                              const std::string& library);
 
 /// What the patient's scene draws of this state. A finger without a value is not there.
-/// @pre trial.task; trial.scene, trial.arm or trial.tracked
+/// @pre trial.task; trial.scene, trial.arm, trial.tracked or trial.two_hands
 [[nodiscard]] PatientPicture picture_at(const LoadedTrial& trial, const ReplayState& state);
 
 }  // namespace isograsp::gui

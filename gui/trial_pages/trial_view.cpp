@@ -78,6 +78,11 @@ QWidget* TrialView::make_pictures() {
   describe(*flat_, tr("Path of the object"),
            tr("Path, object and target (dashed); filled dots are fingers that touch"));
   object_->addWidget(flat_);
+  page_ = new PagePicture;
+  page_->setObjectName("trial_two_hands");
+  describe(*page_, tr("Picture of both hands"),
+           tr("What the patient saw: the force of each hand and what was asked (Space)"));
+  object_->addWidget(page_);
   why_flat_ = new QLabel(tr("Drawn flat: this display has no OpenGL for the 3D picture."));
   why_flat_->setProperty("role", "quiet");
   plot_ = new TrialPlot;
@@ -268,6 +273,12 @@ void TrialView::show_object() {
   if (arm == nullptr) arm_->show_nothing();
   const HandReplay* tracked = trial_->tracked.get();
   grasp_->setVisible(tracked != nullptr && tracked->has_object());
+  if (trial_->two_hands != nullptr && trial_->task != nullptr) {
+    object_->setVisible(true);
+    why_flat_->hide();
+    object_->setCurrentWidget(page_);
+    return;
+  }
   const bool object = arm != nullptr ? arm->has_object() : trial_->replay.has_object();
   static const bool kOpenGl = why_no_opengl().empty();
   const bool drawn = arm != nullptr || tracked != nullptr || trial_->scene != nullptr;
@@ -278,13 +289,13 @@ void TrialView::show_object() {
   if (solid && window_ == nullptr) {
     window_ = new ReplayWindow;
     connect(window_, &ReplayWindow::key_pressed, this, [this](int key) { (void)act_on(key); });
-    auto* container = QWidget::createWindowContainer(window_);
-    container->setObjectName("trial_object");
-    describe(*container, tr("Object"),
+    container_ = QWidget::createWindowContainer(window_);
+    container_->setObjectName("trial_object");
+    describe(*container_, tr("Object"),
              tr("The object as the patient saw it, and its path (Space)"));
-    object_->addWidget(container);
+    object_->addWidget(container_);
   }
-  object_->setCurrentIndex(solid ? 1 : 0);
+  object_->setCurrentWidget(solid ? container_ : flat_);
   if (solid)
     window_->show_trial(trial_);
   else if (arm == nullptr)
@@ -343,9 +354,11 @@ void TrialView::show_time() {
   const auto state = replay.at(t_s);
   if (trial_->arm) arm_->show_arm(trial_->arm->at(replay, state), trial_->arm->space());
   if (trial_->tracked) grasp_->show_grasp(grasp_live(trial_->tracked->at(replay, state)));
-  if (!trial_->arm && object_->isVisible() && object_->currentIndex() == 0)
+  if (!trial_->arm && object_->isVisible() && object_->currentWidget() == flat_)
     flat_->show_state(state);
-  if (window_ != nullptr && object_->currentIndex() == 1) window_->show_state(state);
+  if (object_->currentWidget() == page_ && trial_->two_hands != nullptr)
+    page_->show_picture(picture_at(*trial_, state));
+  if (window_ != nullptr && object_->currentWidget() == container_) window_->show_state(state);
   QStringList parts{phase_words(state.phase)};
   for (const auto& curve : curves_)
     parts << tr("<span style=\"color:%1\">%2</span>&nbsp;%3&nbsp;%4")

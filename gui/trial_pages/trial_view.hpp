@@ -15,6 +15,7 @@
 #include "gui/arm_pages/arm_views.hpp"
 #include "gui/hand_pages/grasp_view.hpp"
 #include "gui/look/card.hpp"
+#include "gui/patient_screen/page_picture.hpp"
 #include "gui/trial_pages/loaded_trial.hpp"
 #include "gui/trial_pages/object_path_view.hpp"
 #include "gui/trial_pages/replay_window.hpp"
@@ -65,9 +66,11 @@ class TrialView final : public Card {
   QLabel* warning_;
   QComboBox* set_;
   QWidget* body_;
-  QStackedWidget* object_;  ///< 3D picture or flat path
+  QStackedWidget* object_;  ///< 3D picture, flat path, or the page of two hands
   ObjectPathView* flat_;
+  PagePicture* page_;               ///< what was shown to two hands
   ReplayWindow* window_ = nullptr;  ///< made when there is OpenGL and an object; of its container
+  QWidget* container_ = nullptr;    ///< of `window_`
   ArmViews* arm_;     ///< an arm from three sides, beside the picture that its person saw
   GraspView* grasp_;  ///< of a tracked hand: what holds, above what is known of the trial
   QLabel* why_flat_;

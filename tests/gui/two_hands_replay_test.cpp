@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A stored trial of both hands is opened as what it is: two forces and what was asked of them, and
-// no picture of a hand that it is not about.
+// the picture that both hands saw.
 #include <QComboBox>
 #include <QLabel>
 
@@ -23,7 +23,7 @@ class StoredTwoHands : public QtTest {
   TemporaryFolder folder_;
 };
 
-TEST_F(StoredTwoHands, ShowsTheForceOfEachHandAndOfBothAndNoPictureOfOne) {
+TEST_F(StoredTwoHands, ShowsTheForceOfEachHandAndOfBothAndWhatThePatientSaw) {
   const std::string library = std::string(ISOGRASP_SOURCE_DIR) + "/library";
   const std::string database = folder_.path("clinic.db");
   const std::string pair = "sim://pair?file=paretic_left&seed=7";
@@ -52,6 +52,16 @@ TEST_F(StoredTwoHands, ShowsTheForceOfEachHandAndOfBothAndNoPictureOfOne) {
   for (int i = 0; i < set.count(); ++i) sets << set.itemText(i);
   EXPECT_EQ(sets, (QStringList{"Forces and target", "Any recorded channel …"}));
   keep_picture(view, "two_hands_replay");
+  EXPECT_TRUE(widget_called<QWidget>("trial_two_hands", view).isVisible());
+  for (const double t_s : {1.0, 10.0, 25.0}) {
+    const ReplayState state = trial->replay.at(t_s);
+    const PatientPicture picture = picture_at(*trial, state);
+    ASSERT_TRUE(picture.two_hands && picture.two_hands->sum);
+    EXPECT_EQ(picture.page, PatientPicture::Page::two_hands);
+    EXPECT_TRUE(picture.two_hands->sum->force_shown);
+    EXPECT_TRUE(picture.two_hands->sum->target_shown);
+    EXPECT_FALSE(picture.two_hands->of.left.bar.force_shown) << "the task shows their sum alone";
+  }
 }
 
 }  // namespace

@@ -178,6 +178,8 @@ Text why_not_shown(const tasks::TaskSpec& spec) {
   // Markers alone are looked at: of what is done with them nothing is on the screen.
   if (spec.kind->markers != nullptr)
     return "It is done with a real thing, of which the screen shows nothing: show it yourself."_text;
+  if (spec.kind->group == tasks::TaskGroup::two_hands)
+    return "No person in software shows both hands: show it with your own."_text;
   return {};
 }
 

@@ -17,12 +17,16 @@ void RestWatch::begin(const std::optional<FingerWrenches>& resting_C) noexcept {
 }
 
 void RestWatch::add(const Snapshot& snapshot) noexcept {
-  if (snapshot.session_time_s <= last_s_) return;
-  if (snapshot.session_time_s - last_s_ > kLongestGap_s) since_s_.reset();
-  last_s_ = snapshot.session_time_s;
+  add(snapshot.session_time_s, snapshot.forces);
+}
+
+void RestWatch::add(double session_time_s, const FingerFrame& forces) noexcept {
+  if (session_time_s <= last_s_) return;
+  if (session_time_s - last_s_ > kLongestGap_s) since_s_.reset();
+  last_s_ = session_time_s;
   for (std::size_t f = 0; f < kFingerCount; ++f) {
-    const Vec3 force_N = snapshot.forces.wrench_C[f].force - rest_C_[f].force;
-    if (snapshot.forces.flags[f] == 0 && force_N.norm() <= kRestBand_N) continue;
+    const Vec3 force_N = forces.wrench_C[f].force - rest_C_[f].force;
+    if (forces.flags[f] == 0 && force_N.norm() <= kRestBand_N) continue;
     since_s_.reset();
     return;
   }

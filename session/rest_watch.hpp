@@ -20,6 +20,8 @@ class RestWatch {
   void begin(const std::optional<FingerWrenches>& resting_C) noexcept;
   /// Takes a snapshot if it is a new frame.
   void add(const Snapshot& snapshot) noexcept;
+  /// The same of one of two platforms.
+  void add(double session_time_s, const FingerFrame& forces) noexcept;
   /// For half a second no finger was out of the band or without a value, and snapshots came at
   /// least every 0.1 s.
   [[nodiscard]] bool at_rest() const noexcept;

@@ -234,4 +234,11 @@ const HandSnapshot* hand_of(Session& session) noexcept {
              : nullptr;
 }
 
+const TwoPlatformsSnapshot* two_platforms_of(Session& session) noexcept {
+  // What two platforms publish is one (TwoPlatforms::newest).
+  return session.known().apparatus.kind == TwoPlatforms::kKind
+             ? static_cast<const TwoPlatformsSnapshot*>(&session.moment())
+             : nullptr;
+}
+
 }  // namespace isograsp::session

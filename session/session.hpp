@@ -30,7 +30,8 @@
 
 namespace isograsp::session {
 
-struct HandSnapshot;  // session/tracked_hand/hand_snapshot.hpp
+struct HandSnapshot;          // session/tracked_hand/hand_snapshot.hpp
+struct TwoPlatformsSnapshot;  // session/two_platforms/two_platforms_snapshot.hpp
 
 /// What glibc's libm may choose its code by; stored beside results (docs/storage.md).
 [[nodiscard]] std::string cpu_features();
@@ -201,5 +202,7 @@ void let_go(Session& session);
 [[nodiscard]] const ArmSnapshot* arm_of(Session& session) noexcept;
 /// The same of a tracked hand.
 [[nodiscard]] const HandSnapshot* hand_of(Session& session) noexcept;
+/// The same of two platforms, one for each hand.
+[[nodiscard]] const TwoPlatformsSnapshot* two_platforms_of(Session& session) noexcept;
 
 }  // namespace isograsp::session

@@ -66,7 +66,8 @@ SessionLibrary read_session_library(const std::string& shipped, const std::strin
 }
 
 SessionLibrary for_apparatus(SessionLibrary all, std::string_view kind) {
-  const std::string_view there = kind == kArm || kind == kTrackedHand ? kind : kPlatform;
+  const std::string_view there =
+      kind == kArm || kind == kTrackedHand || kind == kTwoPlatforms ? kind : kPlatform;
   const auto is_of_another = [there](const auto& one) {
     const auto needed = one.apparatus();
     return !needed.empty() && needed != there;

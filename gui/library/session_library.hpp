@@ -17,6 +17,7 @@ namespace isograsp::gui {
 inline constexpr std::string_view kArm = "arm";
 inline constexpr std::string_view kPlatform = "platform";
 inline constexpr std::string_view kTrackedHand = "tracked_hand";
+inline constexpr std::string_view kTwoPlatforms = "two_platforms";
 
 /// So long an arm is made familiar with its tasks on its first visit.
 inline constexpr double kFirstVisit_s = 15.0 * 60.0;

@@ -38,26 +38,30 @@ void ForceHistory::add(const session::Snapshot& snapshot) {
   while (points_.front().t_s < point.t_s - length_s_) points_.pop_front();
 }
 
-ForceHistory::Range ForceHistory::range() const {
-  double least = 0.0;
-  double most = 0.0;
-  const auto include = [&](double value) {
-    if (std::isnan(value)) return;
-    least = std::min(least, value);
-    most = std::max(most, value);
-  };
+void AxisRange::include(double value_N) noexcept {
+  if (std::isnan(value_N)) return;
+  least_N_ = std::min(least_N_, value_N);
+  most_N_ = std::max(most_N_, value_N);
+}
+
+AxisRange::Limits ForceHistory::range() const {
+  AxisRange range;
   for (const auto& point : points_) {
-    for (const double value : point.normal_N) include(value);
-    include(point.target_N);
+    for (const double value : point.normal_N) range.include(value);
+    range.include(point.target_N);
   }
+  return range.limits();
+}
+
+AxisRange::Limits AxisRange::limits() const {
   // Room above the curve, and never so close that sensor noise fills the plot.
   constexpr double kLeastTop_N = 5.0;
   constexpr double kRoom = 1.05;
-  Range range;
-  range.most_N = round_up(std::max(kLeastTop_N, most * kRoom));
-  const double bottom = range.most_N / 10.0;
-  range.least_N = least < -bottom ? -round_up(-least * kRoom) : -bottom;
-  return range;
+  Limits limits;
+  limits.most_N = round_up(std::max(kLeastTop_N, most_N_ * kRoom));
+  const double bottom = limits.most_N / 10.0;
+  limits.least_N = least_N_ < -bottom ? -round_up(-least_N_ * kRoom) : -bottom;
+  return limits;
 }
 
 std::array<double, kFingerCount> label_places(const std::array<double, kFingerCount>& normal_N,

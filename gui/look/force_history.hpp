@@ -15,6 +15,21 @@ struct ForcePoint {
   double target_N = 0.0;                        ///< NaN: no target shown
 };
 
+/// Limits of a force axis [N] that hold all values, on round numbers so that the axis rarely moves.
+class AxisRange {
+ public:
+  struct Limits {
+    double least_N = 0.0;
+    double most_N = 0.0;
+  };
+  void include(double value_N) noexcept;  ///< NaN: nothing
+  [[nodiscard]] Limits limits() const;
+
+ private:
+  double least_N_ = 0.0;
+  double most_N_ = 0.0;
+};
+
 class ForceHistory {
  public:
   explicit ForceHistory(double length_s = 20.0) : length_s_(length_s) {}
@@ -24,12 +39,8 @@ class ForceHistory {
   void clear() { points_.clear(); }
   [[nodiscard]] const std::deque<ForcePoint>& points() const noexcept { return points_; }
   [[nodiscard]] double length_s() const noexcept { return length_s_; }
-  /// Axis limits [N] that hold all points, on round numbers so that the axis rarely moves.
-  struct Range {
-    double least_N = 0.0;
-    double most_N = 0.0;
-  };
-  [[nodiscard]] Range range() const;
+  /// Of an axis that holds all points.
+  [[nodiscard]] AxisRange::Limits range() const;
 
  private:
   double length_s_;

@@ -57,7 +57,7 @@ session::SessionConfig Connecting::session_config(bool clock_is_right) const {
   session::SessionConfig config;
   config.database = started.database;
   config.patient_code = choices.patient;
-  config.hand = *choices.today.hand;
+  config.hand = choices.today.hand;  // nothing: both
   config.device_uri = choices.today.size_of_other && state_.measures_hand()
                           ? session::with_size_of_other(choices.device_uri)
                           : choices.device_uri;
@@ -74,6 +74,11 @@ session::SessionConfig Connecting::session_config(bool clock_is_right) const {
   } else if (state_.measures_hand()) {
     config.allowed = allowed(choices.today.hand_screening);
     config.answers = stored(choices.today.hand_screening);
+  } else if (measures_both(state_)) {
+    const BothScreenings& both = choices.today.screenings;
+    config.allowed = allowed(both);
+    for (const Hand hand : kBothHands) config.ceilings_N[hand] = both[hand].ceiling_N;
+    config.answers = stored(both);
   } else {
     config.allowed = choices.today.screening.allowed;
     config.ceiling_N = choices.today.screening.ceiling_N;
@@ -120,7 +125,9 @@ void Connecting::take(Result<std::unique_ptr<session::Session>> opened,
 
 void Connecting::begin(std::unique_ptr<session::Session> session, const Presentation& stored) {
   const Choices& choices = state_.choices;
-  const bool numb_skin = choices.today.screening.applies[static_cast<std::size_t>(Caution::skin)];
+  const bool numb_skin =
+      choices.today.both ? applies_to_one(choices.today.screenings, Caution::skin)
+                         : choices.today.screening.applies[static_cast<std::size_t>(Caution::skin)];
   const bool rests = !session->known().apparatus.recorded &&
                      session->known().asks_for(session::PreparationStep::rest);
   const auto task = session->known().arm || session->known().apparatus.kind == kTrackedHand

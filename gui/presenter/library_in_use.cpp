@@ -13,9 +13,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The protocols that are proposed at first, of platform, arm and tracked hand.
-constexpr std::array<const char*, 3> kUsualProtocols{"battery", "arm_assessment",
-                                                     "hand_assessment"};
+/// The protocols that are proposed at first, of platform, arm, tracked hand and two platforms.
+constexpr std::array<const char*, 4> kUsualProtocols{"battery", "arm_assessment", "hand_assessment",
+                                                     "two_hands_assessment"};
 
 std::optional<int> place_of_usual(const std::vector<session::ReadyProtocol>& protocols) {
   for (std::size_t i = 0; i < protocols.size(); ++i)

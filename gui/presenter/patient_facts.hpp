@@ -10,8 +10,9 @@
 
 namespace isograsp::gui {
 
-/// The rest is as if nothing else were known.
-[[nodiscard]] inline PatientFacts patient_facts(const session::Snapshot& now) {
+/// What every frame has, whatever is measured. The rest is as if nothing else were known.
+template <class Seen>
+[[nodiscard]] PatientFacts facts_of_frame(const Seen& now) {
   PatientFacts facts;
   facts.arrived = now.frames > 0;
   facts.stage = now.stage;
@@ -20,15 +21,14 @@ namespace isograsp::gui {
   facts.stimulus = session::screen_of(now);
   return facts;
 }
+
+[[nodiscard]] inline PatientFacts patient_facts(const session::Snapshot& now) {
+  return facts_of_frame(now);
+}
 /// The same of an arm; in the middle of its picture stands where the object was in the start
 /// posture, or where it was seen last.
 [[nodiscard]] inline PatientFacts patient_facts(const session::ArmSnapshot& now) {
-  PatientFacts facts;
-  facts.arrived = now.frames > 0;
-  facts.stage = now.stage;
-  facts.pause_cause = now.pause_cause;
-  facts.published = now.published;
-  facts.stimulus = session::screen_of(now);
+  PatientFacts facts = facts_of_frame(now);
   if (now.start_p_WO.allFinite())
     facts.centre_W = now.start_p_WO;
   else if (now.last_X_WO.p.allFinite())
@@ -37,24 +37,14 @@ namespace isograsp::gui {
 }
 /// The same of a tracked hand.
 [[nodiscard]] inline PatientFacts patient_facts(const session::HandSnapshot& now) {
-  PatientFacts facts;
-  facts.arrived = now.frames > 0;
-  facts.stage = now.stage;
-  facts.pause_cause = now.pause_cause;
-  facts.published = now.published;
-  facts.stimulus = session::screen_of(now);
+  PatientFacts facts = facts_of_frame(now);
   facts.tracked = now;
   return facts;
 }
 /// The same of two platforms.
 [[nodiscard]] inline PatientFacts patient_facts(const session::TwoPlatformsSnapshot& now) {
-  PatientFacts facts;
+  PatientFacts facts = facts_of_frame(now);
   facts.both_hands = true;
-  facts.arrived = now.frames > 0;
-  facts.stage = now.stage;
-  facts.pause_cause = now.pause_cause;
-  facts.published = now.published;
-  facts.stimulus = session::screen_of(now);
   return facts;
 }
 

@@ -28,7 +28,8 @@ PatientView::PatientView(const ActContext& with)
 
 namespace {
 
-PatientFacts facts_of_frame(const OpenSession& open) {
+PatientFacts facts_of_session(const OpenSession& open) {
+  if (open.both) return patient_facts(*open.both);
   if (open.hand) return patient_facts(*open.hand);
   return open.arm ? patient_facts(*open.arm) : patient_facts(open.snapshot);
 }
@@ -36,13 +37,14 @@ PatientFacts facts_of_frame(const OpenSession& open) {
 }  // namespace
 
 PatientFacts PatientView::facts() const {
-  PatientFacts facts = state_.open ? facts_of_frame(*state_.open) : PatientFacts{};
+  PatientFacts facts = state_.open ? facts_of_session(*state_.open) : PatientFacts{};
   facts.simulated = state_.simulated();
   facts.broken_off = !state_.open && state_.broken_off();
   if (!state_.open) return facts;
   const OpenSession& open = *state_.open;
   const session::Snapshot& now = open.snapshot;
   facts.session_open = true;
+  facts.both_hands = measures_both(state_);
   facts.device_fault = now.frames > 0 && now.stage != session::Stage::finished &&
                        flow_.view().device_mood == Mood::fault;
   facts.arm = open.arm_space;

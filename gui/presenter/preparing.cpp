@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gui/library/task_groups.hpp"
@@ -87,6 +88,18 @@ void Preparing::look_at_picture() {
   Q_EMIT flow_.changed();
 }
 
+void Preparing::stay_within_reach(bool stays) {
+  if (!flow_.view().may_promise_reach) return;
+  state_.open->preparation.safety.within_reach = stays;
+  flow_.update();
+}
+
+void Preparing::other_hand_strapped(bool strapped) {
+  if (!state_.open) return;
+  state_.open->preparation.safety.other_strapped = strapped;
+  flow_.update();
+}
+
 void Preparing::mark_strapped() {
   if (!flow_.view().may_strap) return;
   example_.stop();
@@ -105,6 +118,8 @@ void Preparing::mark_strapped() {
   open.compensation.strapped();
   preparation.shift_noted = {};
   auto answers = stored(seating_.posture());
+  if (open.both)
+    for (auto& answer : stored(preparation.safety)) answers.push_back(std::move(answer));
   if (preparation.zeroed_at) {
     const double donning_s = to_seconds(clock_.now() - *preparation.zeroed_at);
     answers.push_back(

@@ -17,6 +17,10 @@ class Preparing {
   void set_zero(bool accept_changed = false);
   /// Begins to look whether the picture of an arm moves as the arm does; called again, it stops.
   void check_picture();
+  /// Of both hands: the therapist stays where they can free them; or takes it back.
+  void stay_within_reach(bool stays);
+  /// Of both hands: the less affected one is strapped, too, or lies in its supports.
+  void other_hand_strapped(bool strapped);
   void mark_strapped();  ///< the hand is in and strapped, or the straps were looked at again
 
   // @pre a session is open

@@ -5,7 +5,9 @@
 #include <ctime>
 #include <utility>
 
+#include "gui/words/texts.hpp"
 #include "session/open_hand.hpp"
+#include "session/open_two_platforms.hpp"
 #include "session/tracked_hand/hand_size.hpp"
 
 namespace isograsp::gui {
@@ -13,17 +15,22 @@ namespace isograsp::gui {
 namespace {
 
 /// As far as the work of an earlier session is looked for by it.
-storage::SessionRecord session_to_come(storage::RowId patient, Hand hand,
+storage::SessionRecord session_to_come(storage::RowId patient, std::optional<Hand> hand,
                                        const std::string& device_uri,
                                        const tasks::ProtocolSpec& protocol) {
   storage::SessionRecord session;
   session.patient_id = patient;
   session.hand = hand;
-  session.simulated = device_uri.rfind("sim://", 0) == 0;
+  session.simulated = is_simulated(device_uri);
   session.started_utc = utc_text(std::time(nullptr));
   session.protocol_name = protocol.name;
   session.protocol_text = protocol.text;
   return session;
+}
+
+/// The hands of one person in software.
+bool is_pair(const std::string& uri) {
+  return uri.starts_with("sim://");
 }
 
 }  // namespace
@@ -52,6 +59,7 @@ void SessionChoices::choose_patient(const std::string& code) {
 void SessionChoices::choose_hand(Hand hand) {
   if (!flow_.view().may_change_hand) return;
   state_.connection.failure.reset();
+  leave_both_hands();
   auto& today = state_.choices.today;
   if (today.hand != hand) {  // its outcome is that of one hand
     today.screening = {};
@@ -66,16 +74,61 @@ void SessionChoices::choose_hand(Hand hand) {
   flow_.update();
 }
 
+void SessionChoices::choose_both_hands() {
+  if (!flow_.view().may_change_hand) return;
+  state_.connection.failure.reset();
+  Choices& choices = state_.choices;
+  if (!choices.today.both) choices.today = {};  // what was asked was asked of one hand
+  choices.today.both = true;
+  choices.apparatus = kTwoPlatforms;
+  const auto address = session::two_platforms_uri(choices.platforms);
+  const bool chosen = !choices.platforms.left.empty() && !choices.platforms.right.empty();
+  choices.device_uri = chosen && address ? *address : std::string();
+  look_for_earlier();
+  seating_.look(choices.patient, std::nullopt);
+  flow_.update();
+}
+
+/// One hand has another device than both have.
+void SessionChoices::leave_both_hands() {
+  Choices& choices = state_.choices;
+  if (!std::exchange(choices.today.both, false)) return;
+  choices.today.screenings = {};
+  choices.device_uri.clear();
+  choices.apparatus.clear();
+}
+
+void SessionChoices::choose_platform(Hand hand, const std::string& uri) {
+  if (!flow_.view().may_change_device || !state_.choices.today.both) return;
+  state_.connection.failure.reset();
+  Choices& choices = state_.choices;
+  std::string& other = choices.platforms[other_than(hand)];
+  choices.platforms[hand] = uri;
+  if (is_pair(uri)) other = uri;
+  if (!is_pair(uri) && is_pair(other)) other.clear();
+  choices.device_uri.clear();
+  if (!other.empty()) {
+    if (const auto address = session::two_platforms_uri(choices.platforms))
+      choices.device_uri = *address;
+    else
+      state_.connection.failure = {translated(address.error()).toStdString(), false, false, false};
+  }
+  look_for_earlier();
+  flow_.update();
+}
+
 void SessionChoices::confirm_hand() {
   if (!flow_.hand_to_confirm()) return;
   state_.choices.today.hand_confirmed = true;
   flow_.update();
 }
 
-void SessionChoices::answer_screening(const Screening& answers) {
-  if (state_.busy() || answers == state_.choices.today.screening) return;
+void SessionChoices::answer_screening(const Screening& answers, std::optional<Hand> of) {
+  auto& today = state_.choices.today;
+  Screening& kept = of ? today.screenings[*of] : today.screening;
+  if (state_.busy() || answers == kept) return;
   state_.connection.failure.reset();
-  state_.choices.today.screening = answers;
+  kept = answers;
   flow_.update();
 }
 
@@ -131,6 +184,7 @@ void SessionChoices::name_operator(const std::string& name) {
 }
 
 void SessionChoices::ask_anew() {
+  leave_both_hands();
   state_.choices.today = {};
   look_for_earlier();  // for nobody yet: what was asked before counts no more
 }
@@ -142,11 +196,12 @@ void SessionChoices::look_for_earlier() {
   Choices& choices = state_.choices;
   choices.interrupted = {};
   const auto& hand = choices.today.hand;
-  if (choices.patient.empty() || !hand || choices.device_uri.empty() || !state_.has_protocol())
+  const bool asked = hand || choices.today.both;
+  if (choices.patient.empty() || !asked || choices.device_uri.empty() || !state_.has_protocol())
     return;
   choices.interrupted.sought = clinic_.read(
       this,
-      [code = choices.patient, hand = *hand, uri = choices.device_uri,
+      [code = choices.patient, hand, uri = choices.device_uri,
        protocol = state_.chosen_protocol()](storage::SessionStore& store) -> std::optional<int> {
         const auto patient = store.find_patient(code);
         if (!patient || !*patient) return std::nullopt;

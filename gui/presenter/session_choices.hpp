@@ -19,12 +19,17 @@ class SessionChoices final : public QObject {
 
   void choose_patient(const std::string& code);
   void choose_hand(Hand hand);
+  /// Both work at once, each on a platform of its own.
+  void choose_both_hands();
   /// The chosen hand is not the affected one, and that is meant.
   void confirm_hand();
-  void answer_screening(const Screening& answers);
+  /// `of`: of which of both hands; nothing: one works.
+  void answer_screening(const Screening& answers, std::optional<Hand> of = std::nullopt);
   void answer_screening(const ArmScreening& answers);
   void answer_screening(const HandScreening& answers);
   void choose_device(const std::string& uri);
+  /// Of both hands. A simulated person has two: either choice is that of both.
+  void choose_platform(Hand hand, const std::string& uri);
   /// A tracked hand that cannot open has the size of the other one, or its own again.
   void take_size_of_other(bool take);
   /// Place in the library; nothing: tasks are chosen one by one.
@@ -46,6 +51,7 @@ class SessionChoices final : public QObject {
   Clinic& clinic_;
   PersonFile& file_;
   Seating& seating_;
+  void leave_both_hands();
   void look_whether_first_time();
   void look_for_other_hand();
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/presenter/session_flow.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "gui/library/task_groups.hpp"
@@ -47,6 +48,23 @@ void add_camera_facts(const session::ArmSnapshot& now, FlowFacts& facts) {
   facts.health.state = now.health.state;
   facts.camera_fault = now.health.fault;
   facts.at_rest = now.picture && !stops_markers(now.health.fault);
+}
+
+/// Of the newest frame of two platforms; health and restart stand in the snapshot already.
+void add_both_facts(const OpenSession& open, FlowFacts& facts) {
+  const tasks::TwoHandsReferences& known = open.session->known().two_hands;
+  const HandsSafety& safety = open.preparation.safety;
+  facts.health_side = fault_side(*open.both);
+  facts.restarted_side = restarted_side(*open.both);
+  facts.stop_tested = safety.stop_tested;
+  facts.within_reach = safety.within_reach;
+  if (open.trial)
+    facts.at_rest =
+        open.trial->rest_watches.left.at_rest() && open.trial->rest_watches.right.at_rest();
+  if (known.of.left.maximum_N && known.of.right.maximum_N) {
+    facts.maximum_force_N = std::min(*known.of.left.maximum_N, *known.of.right.maximum_N);
+    facts.maximum_attempts = 2;  // its task has several itself
+  }
 }
 
 void add_tracker_facts(const session::HandSnapshot& now, FlowFacts& facts) {
@@ -105,9 +123,11 @@ FlowFacts SessionFlow::facts() const {
   facts.look_only = state_.config.look_only;
   facts.patient_chosen = !choices.patient.empty();
   facts.hand_to_confirm = hand_to_confirm();
-  facts.hand_chosen = choices.today.hand && !facts.hand_to_confirm;
+  facts.both_hands = measures_both(state_);
+  facts.hand_chosen = choices.today.both || (choices.today.hand && !facts.hand_to_confirm);
   facts.screened = state_.measures_arm()    ? choices.today.arm_screening.complete()
                    : state_.measures_hand() ? choices.today.hand_screening.complete()
+                   : facts.both_hands       ? complete(choices.today.screenings)
                                             : choices.today.screening.complete();
   facts.earlier_sought = choices.interrupted.sought;
   facts.earlier_undecided = choices.interrupted.acts.has_value() && !choices.interrupted.go_on;
@@ -171,6 +191,7 @@ void SessionFlow::add_session_facts(const OpenSession& open, FlowFacts& facts) c
   facts.stop_reason = reason.empty() ? open.limits.reason_to_stop().value_or(Text()) : reason;
   if (follows)
     facts.protocol = protocol_facts(open.work.guide, state_.choices.by_itself, open.time_s());
+  if (open.both) add_both_facts(open, facts);
   if (open.ended) {
     facts.last_rested = is_rest(*open.ended->task);
     facts.last_in_picture = by_picture(*open.ended->task);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "gui/words/texts.hpp"
+#include "session/open_two_platforms.hpp"
 
 namespace isograsp::gui {
 
@@ -14,6 +15,11 @@ constexpr int kPoll_ms = 16;
 SessionState state_at_start(const GuiConfig& config) {
   SessionState state;
   state.config = config;
+  // Both hands are chosen in every session, as one hand is.
+  if (const auto both = session::two_platforms_in(config.device_uri)) {
+    state.choices.platforms = *both;
+    return state;
+  }
   state.choices.device_uri = config.device_uri;
   state.choices.apparatus = session::kind_of_apparatus(config.device_uri, config.apparatuses);
   return state;
@@ -28,7 +34,8 @@ std::optional<DeviceFaultSeen> fault_of(const OpenSession& open) {
     return DeviceFaultSeen{t_s, words_of(open.hand->health.fault)};
   const DeviceHealth& health = open.snapshot.health;
   if (health.fault == DeviceFault::none) return std::nullopt;
-  return DeviceFaultSeen{t_s, words_of(health.fault, health.finger)};
+  return DeviceFaultSeen{t_s, words_of(health.fault, health.finger),
+                         open.both ? fault_side(*open.both) : std::nullopt};
 }
 
 }  // namespace
@@ -91,8 +98,9 @@ void SessionPresenter::look_at_device(const std::optional<DeviceFaultSeen>& befo
   const session::Snapshot& now = state_.open->snapshot;
   SessionTraces& traces = state_.open->traces;
   const auto fault = fault_of(*state_.open);
-  if (fault && !(before && before->words == fault->words)) traces.faults.push_back(*fault);
-  if (!state_.open->arm && !state_.open->hand) traces.forces.add(now);
+  if (fault && !(before && before->words == fault->words && before->side == fault->side))
+    traces.faults.push_back(*fault);
+  if (!state_.open->arm && !state_.open->hand && !state_.open->both) traces.forces.add(now);
   traces.worst_lateness_s = std::max(traces.worst_lateness_s, now.lateness_s);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/presenter/session_state.hpp"
 
+#include "session/open_two_platforms.hpp"
+
 namespace isograsp::gui {
 
 namespace {
@@ -28,7 +30,67 @@ Result<tasks::TaskSpec> Work::at_chosen_level(const tasks::TaskSpec& spec) const
   return tasks::at_level(spec, chosen->second);
 }
 
+void HandsAtRest::add(const session::TwoPlatformsSnapshot& now) noexcept {
+  if (now.session_time_s <= last_s_) return;
+  last_s_ = now.session_time_s;
+  ++frames_;
+  for (const Hand hand : kBothHands)
+    for (std::size_t f = 0; f < kFingerCount; ++f) {
+      sum_C_[hand][f].force += now.of[hand].forces.wrench_C[f].force;
+      sum_C_[hand][f].torque += now.of[hand].forces.wrench_C[f].torque;
+    }
+}
+
+std::optional<FingerWrenches> HandsAtRest::mean(Hand hand) const noexcept {
+  if (frames_ == 0) return std::nullopt;
+  FingerWrenches mean_C = sum_C_[hand];
+  for (Wrench& wrench : mean_C) {
+    wrench.force /= frames_;
+    wrench.torque /= frames_;
+  }
+  return mean_C;
+}
+
+session::Snapshot side_of(const session::TwoPlatformsSnapshot& both, Hand hand) {
+  session::Snapshot side;
+  static_cast<session::Moment&>(side) = both;
+  side.health = both.of[hand].health;
+  side.forces = both.of[hand].forces;
+  side.restarted = both.of[hand].restarted;
+  side.grip_N = both.of[hand].grip_N;
+  return side;
+}
+
+std::optional<Hand> fault_side(const session::TwoPlatformsSnapshot& both) noexcept {
+  for (const Hand hand : kBothHands)
+    if (both.of[hand].health.state == DeviceState::faulted) return hand;
+  for (const Hand hand : kBothHands)
+    if (both.of[hand].health.fault != DeviceFault::none) return hand;
+  return std::nullopt;
+}
+
+std::optional<Hand> restarted_side(const session::TwoPlatformsSnapshot& both) noexcept {
+  for (const Hand hand : kBothHands)
+    if (both.of[hand].restarted) return hand;
+  return std::nullopt;
+}
+
+bool is_simulated(const std::string& uri) {
+  const auto both = session::two_platforms_in(uri);
+  return (both ? both->left : uri).starts_with("sim://");
+}
+
 void OpenSession::look() {
+  if (const auto* const seen = session::two_platforms_of(*session)) {
+    both = *seen;
+    snapshot = side_of(*seen, fault_side(*seen).value_or(Hand::left));
+    snapshot.forces = {};  // of neither hand alone
+    snapshot.grip_N = 0.0;
+    snapshot.restarted.reset();
+    if (const auto side = restarted_side(*seen)) snapshot.restarted = seen->of[*side].restarted;
+    traces.hands.add(*seen);
+    return;
+  }
   if (const session::HandSnapshot* const seen = session::hand_of(*session)) {
     hand = *seen;
     static_cast<session::Moment&>(snapshot) = *seen;  // one frame, not two
@@ -63,6 +125,11 @@ bool SessionState::measures_arm() const noexcept {
   return open ? open->arm_space != nullptr : choices.apparatus == kArm;
 }
 
+bool measures_both(const SessionState& state) noexcept {
+  return state.open ? state.open->session->known().apparatus.kind == kTwoPlatforms
+                    : state.choices.today.both;
+}
+
 bool SessionState::measures_hand() const noexcept {
   return (open ? open->session->known().apparatus.kind : choices.apparatus) == kTrackedHand;
 }
@@ -74,7 +141,7 @@ bool SessionState::watches_hand() const noexcept {
 
 bool SessionState::simulated() const noexcept {
   if (open) return open->session->known().device.simulated;
-  return choices.device_uri.rfind("sim://", 0) == 0;
+  return is_simulated(choices.device_uri);
 }
 
 bool SessionState::recorded() const noexcept {

@@ -16,6 +16,7 @@
 #include "core/histogram.hpp"
 #include "gui/library/session_library.hpp"
 #include "gui/look/force_history.hpp"
+#include "gui/look/hands_history.hpp"
 #include "gui/look/marker_history.hpp"
 #include "gui/picture/arm_space.hpp"
 #include "gui/picture/presentation.hpp"
@@ -30,10 +31,12 @@
 #include "gui/rules/protocol_guide.hpp"
 #include "gui/rules/screening.hpp"
 #include "gui/rules/still_watch.hpp"
+#include "gui/rules/two_hands_rules.hpp"
 #include "session/compensation.hpp"
 #include "session/rest_watch.hpp"
 #include "session/session.hpp"
 #include "session/tracked_hand/hand_snapshot.hpp"
+#include "session/two_platforms/two_platforms_snapshot.hpp"
 #include "session/work_limits.hpp"
 
 namespace isograsp::gui {
@@ -43,6 +46,8 @@ struct Choices {
   std::string operator_name;  ///< who has logged in; empty: as the settings say
   std::string patient;        ///< code; empty: nobody
   std::string device_uri;     ///< empty: none
+  /// Of both hands, each chosen on its own; `device_uri` is that of both as soon as they fit.
+  OfHands<std::string> platforms;
   /// What it is, as far as the URI tells: tasks and protocols of that are offered.
   std::string apparatus;
   /// Places in the library. No protocol: tasks are chosen by hand, one by one.
@@ -54,8 +59,10 @@ struct Choices {
   /// Asked before every session.
   struct Today {
     std::optional<Hand> hand;
+    bool both = false;  ///< hands work at once, each on a platform; `hand` is nothing then
     bool hand_confirmed = false;  ///< by a press
     Screening screening;
+    BothScreenings screenings;     ///< of both hands, in its place
     ArmScreening arm_screening;    ///< of an arm seen by cameras, in its place
     HandScreening hand_screening;  ///< of a tracked hand, in its place
     bool size_of_other = false;  ///< a tracked hand that cannot open has the size of the other one
@@ -93,12 +100,14 @@ struct ConnectionState {
 struct DeviceFaultSeen {
   double session_time_s = 0.0;
   Words words;
+  std::optional<Hand> side = std::nullopt;  ///< of two platforms: whose
 };
 
 /// What can still be shown after a session has ended: until the next one begins or another patient
 /// is chosen.
 struct SessionTraces {
   ForceHistory forces{};
+  HandsHistory hands{};  ///< of both, in its place
   MarkerHistory markers{};
   LinkTurns turns{};                    ///< of an arm, since its target appeared
   PracticeClock practice{};             ///< of an arm, in this session
@@ -116,11 +125,12 @@ struct RunningTrial {
   bool helped = false;
   std::shared_ptr<const TargetPreview> preview;
   std::shared_ptr<const Scene> scene;
-  tasks::TaskProgress view;       ///< as it was seen last
-  session::RestWatch rest_watch;  ///< while it is paused
-  std::vector<Measure> score;     ///< so far
-  Timestamp scored{0};            ///< when that was renewed
-  Histogram picture_age;          ///< of its pictures on the patient's screen
+  tasks::TaskProgress view;                  ///< as it was seen last
+  session::RestWatch rest_watch;             ///< while it is paused
+  OfHands<session::RestWatch> rest_watches;  ///< of both hands, in its place
+  std::vector<Measure> score;                ///< so far
+  Timestamp scored{0};                       ///< when that was renewed
+  Histogram picture_age;                     ///< of its pictures on the patient's screen
 };
 
 /// The last trial of a session that is open.
@@ -143,6 +153,22 @@ struct Preparation {
   std::array<bool, kFingerCount> shift_noted{};  ///< since the strapping
   Text rest_words;
   bool rest_done = false;
+  HandsSafety safety;  ///< of both hands: holds for the session
+};
+
+/// What the fingers of both hands press at rest: mean of the last resting trial, as far as it was
+/// looked at.
+class HandsAtRest {
+ public:
+  void begin() noexcept { *this = {}; }
+  /// Takes the snapshot if it is a new frame.
+  void add(const session::TwoPlatformsSnapshot& now) noexcept;
+  [[nodiscard]] std::optional<FingerWrenches> mean(Hand hand) const noexcept;
+
+ private:
+  OfHands<FingerWrenches> sum_C_;
+  int frames_ = 0;
+  double last_s_ = -1.0;
 };
 
 /// What the patient says of the work.
@@ -200,6 +226,8 @@ struct OpenSession {
   std::optional<session::ArmSnapshot> arm;  ///< nothing: it is no arm, or nothing has come
   std::shared_ptr<const ArmSpace> arm_space;  ///< null: it is no arm
   std::optional<session::HandSnapshot> hand;  ///< nothing: it is no tracked hand, or as above
+  std::optional<session::TwoPlatformsSnapshot> both;  ///< of two platforms, or as above
+  HandsAtRest hands_at_rest;
   StillWatch still;
   PictureCheck picture_check;
   Preparation preparation;
@@ -219,6 +247,17 @@ struct OpenSession {
   /// A trial was asked for, and no frame of it has come.
   [[nodiscard]] bool starting() const noexcept { return trial && !trial->arrived; }
 };
+
+/// One of two platforms, as if it were alone.
+[[nodiscard]] session::Snapshot side_of(const session::TwoPlatformsSnapshot& both, Hand hand);
+/// Whose health is the worse one; nothing: both are well.
+[[nodiscard]] std::optional<Hand> fault_side(const session::TwoPlatformsSnapshot& both) noexcept;
+/// Whose sensor has started anew since the zeros were set; nothing: none has.
+[[nodiscard]] std::optional<Hand> restarted_side(
+    const session::TwoPlatformsSnapshot& both) noexcept;
+
+/// By its address: of software, whether of one hand or of both.
+[[nodiscard]] bool is_simulated(const std::string& uri);
 
 /// All of it.
 struct SessionState {
@@ -288,5 +327,8 @@ struct SessionState {
   /// The protocol asks for a zero of the empty device.
   [[nodiscard]] bool zero_is_next() const noexcept;
 };
+
+/// Both hands are measured, each on a platform, or will be.
+[[nodiscard]] bool measures_both(const SessionState& state) noexcept;
 
 }  // namespace isograsp::gui

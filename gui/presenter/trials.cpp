@@ -78,9 +78,10 @@ Result<void> Trials::begin(const tasks::TaskSpec& spec, bool practice,
 void Trials::prepare_picture(const tasks::TaskSpec& spec, const tasks::TaskContext& context) {
   RunningTrial& trial = *state_.open->trial;
   trial.task = std::make_shared<tasks::TaskSpec>(spec);
+  if (is_rest(spec)) state_.open->hands_at_rest.begin();
   trial.preview = std::make_shared<TargetPreview>(preview_target(spec, context));
   // What an arm moves is real, what a tracked hand moves comes with its frames.
-  if (state_.open->arm_space != nullptr || state_.measures_hand()) return;
+  if (state_.open->arm_space != nullptr || state_.measures_hand() || measures_both(state_)) return;
   const session::Session& session = *state_.open->session;
   // The session has just read the same file: a failure here would have been refused there.
   auto read = session::read_trial_scene(spec, session.known().record.hand.value_or(Hand::right),
@@ -98,7 +99,17 @@ void Trials::resume() {
   if (flow_.view().may_resume) state_.open->session->resume();
 }
 
+bool Trials::test_stop() {
+  if (!flow_.view().may_test_stop) return false;
+  OpenSession& open = *state_.open;
+  open.preparation.safety.stop_tested = true;
+  open.session->note("The stop was pressed as a test.");
+  flow_.update();
+  return true;
+}
+
 void Trials::stop() {
+  if (test_stop()) return;
   if (flow_.view().may_stop) state_.open->session->abort();
 }
 
@@ -107,6 +118,7 @@ void Trials::let_go() {
 }
 
 void Trials::start_pause_resume() {
+  if (test_stop()) return;
   const FlowView& view = flow_.view();
   if (view.may_pause) return pause();
   if (view.may_resume) return resume();
@@ -138,7 +150,8 @@ void Trials::follow_time() {
   if (view.must_stand_by) return next_.hold();
   // Nothing begins by itself before the therapist says that the hand is in.
   const bool hand_is_in =
-      view.situation != Situation::strap_in && view.situation != Situation::strap_again;
+      view.situation != Situation::strap_in && view.situation != Situation::strap_again &&
+      view.situation != Situation::test_stop && view.situation != Situation::promise_reach;
   if (view.may_begin && hand_is_in && guide.start_in_s(open.time_s()) <= 0.0) begin_next();
 }
 
@@ -147,13 +160,29 @@ void Trials::look() {
   if (!open.trial) return;
   RunningTrial& trial = *open.trial;
   const session::Snapshot& now = open.snapshot;
-  if (now.stage == session::Stage::paused)
+  if (open.both) {
+    look_at_both(*open.both, trial);
+  } else if (now.stage == session::Stage::paused) {
     trial.rest_watch.add(now);
-  else
+  } else {
     trial.rest_watch.begin(open.session->known().references.resting_C);
+  }
   if (!is_running(now)) return;
   trial.arrived = true;
   trial.view = now.task;
+}
+
+/// Both hands rest as they did when their resting force was measured.
+void Trials::look_at_both(const session::TwoPlatformsSnapshot& now, RunningTrial& trial) {
+  HandsAtRest& rest = state_.open->hands_at_rest;
+  if (now.stage == session::Stage::trial && is_rest(*trial.task)) rest.add(now);
+  for (const Hand hand : kBothHands) {
+    session::RestWatch& watch = trial.rest_watches[hand];
+    if (now.stage == session::Stage::paused)
+      watch.add(now.session_time_s, now.of[hand].forces);
+    else
+      watch.begin(rest.mean(hand));
+  }
 }
 
 void Trials::renew_score() {
@@ -169,6 +198,7 @@ void Trials::take(const session::TrialOutcome& outcome) {
   OpenSession& open = *state_.open;
   open.traces.last_trial = outcome;
   if (outcome.rest) open.preparation.rest_words = outcome.rest->words;
+  if (open.both && open.trial && is_rest(*open.trial->task)) take_rest_of_both();
   // The trial is over; what follows from it is decided with what was known of it.
   if (open.trial) {
     const RunningTrial& trial = *open.trial;
@@ -185,6 +215,15 @@ void Trials::take(const session::TrialOutcome& outcome) {
   Q_EMIT flow_.score_changed();
   Q_EMIT flow_.changed();
   Q_EMIT flow_.trial_ended();
+}
+
+void Trials::take_rest_of_both() {
+  const tasks::TwoHandsReferences& known = state_.open->session->known().two_hands;
+  const auto& left_N = known.of.left.resting_N;
+  const auto& right_N = known.of.right.resting_N;
+  if (left_N && right_N)
+    state_.open->preparation.rest_words =
+        "At rest left %1 N, right %2 N."_text(fixed(*left_N, 1), fixed(*right_N, 1));
 }
 
 /// A completed trial: the list of tasks goes on to what comes next.

@@ -21,7 +21,7 @@ class Trials {
   void start();
   void pause();
   void resume();
-  void stop();
+  void stop();                ///< before both hands go in: its test
   void let_go();              ///< the object on the screen, for the hand: helped, no drop
   void start_pause_resume();  ///< what the one large key does, by the state
   void repeat();              ///< the last trial once more, beside the protocol
@@ -34,10 +34,14 @@ class Trials {
   void renew_score();  ///< of the running one, when it is old
 
  private:
+  /// The pedal, or a stop key, before both hands go in. False: there is nothing to be tested.
+  bool test_stop();
   void begin_next();
   Result<void> begin(const tasks::TaskSpec& spec, bool practice,
                      std::optional<storage::TrialPlace> place);
   void prepare_picture(const tasks::TaskSpec& spec, const tasks::TaskContext& context);
+  void look_at_both(const session::TwoPlatformsSnapshot& now, RunningTrial& trial);
+  void take_rest_of_both();
   void take_progress(const tasks::TaskSpec& task);
   void watch_limits(const session::TrialOutcome& outcome);
 

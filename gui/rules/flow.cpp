@@ -19,6 +19,7 @@ FlowView judge(const FlowFacts& facts) {
   view.device_known = facts.device_chosen || facts.connection != Connection::none;
   view.start_posture = facts.start_posture;
   view.hand_entry = facts.hand_entry;
+  view.both_hands = facts.both_hands;
   view.steps = steps_of(facts, view.situation, view.device);
   decide_acts(facts, view);
   return view;

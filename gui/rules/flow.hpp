@@ -68,7 +68,13 @@ struct FlowFacts {
   /// While paused by a fault: the hand has let go, forces look as at rest; cameras send pictures.
   bool at_rest = false;
   DeviceHealth health;
-  bool asks_zero = true;  ///< the device does, before the work
+  /// Both hands work, each on a platform: what is said here of the device is said of both.
+  bool both_hands = false;
+  std::optional<Hand> health_side;     ///< whose platform `health` is about; nothing: of neither
+  std::optional<Hand> restarted_side;  ///< whose `restarted` is
+  bool stop_tested = false;            ///< both hands: the stop was pressed once as a test
+  bool within_reach = false;           ///< … and the therapist said that they stay there
+  bool asks_zero = true;               ///< the device does, before the work
   /// It is cameras that see an arm: what it asks for is the start posture, held still, and all that
   /// is said here of a zero is said of that. A recording asks for it, too.
   bool start_posture = false;
@@ -179,6 +185,8 @@ enum class Situation : std::uint8_t {
   stop_work,
   protocol_over,
   protocol_zero,
+  test_stop,      ///< both hands are to go in: the stop is pressed as a test before
+  promise_reach,  ///< … and the therapist says that they stay within reach
   strap_in,
   strap_again,  ///< after a zero in the middle of the work
   settle,
@@ -211,6 +219,7 @@ enum class NextPress : std::uint8_t {
   basis,  ///< to record on which a camera may look at this person
   connect,
   zero,
+  reach,  ///< "I stay within reach"
   strap,
   picture,
   start,
@@ -225,6 +234,7 @@ struct FlowView {
   bool device_known = false;   ///< what measures is chosen, or connected
   bool start_posture = false;  ///< it is cameras that see an arm: Step::zero is its start posture
   bool hand_entry = false;     ///< it is a tracker of a hand: Step::zero is its entry test
+  bool both_hands = false;     ///< each on a platform: Step::zero is that of both
   std::string sentence;        ///< state and next step, in plain words
   Mood mood = Mood::off;       ///< of the whole
   Mood device_mood = Mood::off;
@@ -240,6 +250,8 @@ struct FlowView {
   bool may_zero = false;
   bool may_accept_changed = false;  ///< the refused zero may be repeated as "serviced or remounted"
   bool may_check = false;           ///< the supports, with the hand out
+  bool may_test_stop = false;       ///< the pedal, before both hands go in
+  bool may_promise_reach = false;   ///< … and what is said then
   bool may_strap = false;
   bool may_watch_picture = false;  ///< whether it moves as the arm or hand does
   bool may_choose_task = false;

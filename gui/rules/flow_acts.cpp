@@ -10,6 +10,7 @@ namespace {
 bool may_arm(const FlowFacts& facts) {
   const auto& protocol = facts.protocol;
   if (!protocol.active || protocol.goes_on || !protocol.by_itself || !has_zero(facts)) return false;
+  if (hands_due(facts)) return false;
   if (protocol.act == ProtocolFacts::Act::pause) return true;
   if (protocol.act == ProtocolFacts::Act::trial && picture_due(facts)) return false;
   const bool settles = facts.task_rests && facts.strapped && facts.settling_s > 0;
@@ -37,6 +38,7 @@ NextPress press_for(Situation situation, const FlowFacts& facts, const FlowView&
     case Situation::zero_outdated:
     case Situation::zero_missing:
     case Situation::protocol_zero: return if_possible(view.may_zero, NextPress::zero);
+    case Situation::promise_reach: return if_possible(view.may_promise_reach, NextPress::reach);
     case Situation::straps_due:
     case Situation::strap_in:
     case Situation::strap_again: return if_possible(view.may_strap, NextPress::strap);
@@ -81,7 +83,11 @@ void decide_between_trials(const FlowFacts& facts, bool sound, FlowView& view) {
   view.may_zero = (live || (ready && facts.is_seen())) && facts.asks_zero;
   view.may_accept_changed = view.may_zero && facts.zero_only_changed;
   view.may_check = view.may_zero && !facts.is_seen();
-  view.may_strap = live && facts.asks_rest && zero && (!facts.strapped || facts.straps_due);
+  const bool may_put_in = live && facts.asks_rest && zero;
+  view.may_test_stop = may_put_in && hands_due(facts) && !facts.stop_tested;
+  view.may_promise_reach = may_put_in && hands_due(facts) && facts.stop_tested;
+  const bool safe = !hands_due(facts) || (facts.stop_tested && facts.within_reach);
+  view.may_strap = may_put_in && safe && (!facts.strapped || facts.straps_due);
   view.may_watch_picture = live && facts.is_seen();
   view.may_choose_task = !in_trial(facts) && !facts.starting && !facts.zero_asked;
   view.may_show_how = view.may_choose_task && facts.task_chosen && facts.task_not_shown.empty() &&
@@ -93,7 +99,7 @@ void decide_between_trials(const FlowFacts& facts, bool sound, FlowView& view) {
   view.may_begin = ready && obstacle_of(facts) == Obstacle::none;
   view.may_start = view.may_begin || (ready && may_arm(facts));
   view.may_repeat =
-      ready && (zero || facts.hand_entry) && facts.last_rested &&
+      ready && (zero || facts.hand_entry) && !hands_due(facts) && facts.last_rested &&
       !(facts.last_in_picture && facts.picture_unsure) &&
       (!*facts.last_rested || facts.recorded || (facts.strapped && facts.settling_s == 0));
   view.may_skip = quiet && facts.protocol.active && facts.protocol.act != ProtocolFacts::Act::none;
@@ -111,6 +117,10 @@ Obstacle obstacle_of(const FlowFacts& facts) {
   const auto& protocol = facts.protocol;
   if (protocol.active && protocol.act == ProtocolFacts::Act::none) return Obstacle::protocol_over;
   if (protocol.active && protocol.act == ProtocolFacts::Act::zero) return Obstacle::zero_again;
+  if (hands_due(facts))
+    return !facts.stop_tested    ? Obstacle::stop_untested
+           : !facts.within_reach ? Obstacle::not_within_reach
+                                 : Obstacle::not_strapped;
   const bool rest = facts.task_chosen && facts.task_rests && !facts.recorded;
   if (rest && !facts.strapped) return Obstacle::not_strapped;
   if (rest && facts.settling_s > 0) return Obstacle::settles;

@@ -32,6 +32,10 @@ bool may_go_on(const FlowFacts& facts) {
   return facts.at_rest || (facts.pause_cause == session::PauseCause::therapist && has_zero(facts));
 }
 
+bool hands_due(const FlowFacts& facts) {
+  return facts.both_hands && !facts.strapped;
+}
+
 DeviceCondition condition_of(const FlowFacts& facts) {
   using Condition = DeviceCondition;
   if (!facts.connection_error.empty()) return Condition::failed;

@@ -22,6 +22,8 @@ namespace isograsp::gui {
 /// sensor during that pause: from rest only, and with a zero that has not moved; before cameras: as
 /// soon as they send pictures again. Out of sight: by itself.
 [[nodiscard]] bool may_go_on(const FlowFacts& facts);
+/// Both hands are, or were, to go in, and nobody has said that they are: nothing begins.
+[[nodiscard]] bool hands_due(const FlowFacts& facts);
 [[nodiscard]] DeviceCondition condition_of(const FlowFacts& facts);
 [[nodiscard]] Mood mood_of(DeviceCondition condition);
 
@@ -47,6 +49,8 @@ enum class Obstacle : std::uint8_t {
   trial_runs,
   protocol_over,
   zero_again,
+  stop_untested,
+  not_within_reach,
   not_strapped,
   settles,
   rests,
@@ -65,5 +69,10 @@ void decide_acts(const FlowFacts& facts, FlowView& view);
 [[nodiscard]] QString hand_device_words(const FlowFacts& facts, DeviceCondition condition);
 [[nodiscard]] QString hand_words(Situation situation, const FlowFacts& facts);
 [[nodiscard]] QString hand_hint(const FlowFacts& facts, Obstacle obstacle);
+
+// flow_two_hands_words.cpp: the same of two platforms
+[[nodiscard]] QString both_device_words(const FlowFacts& facts, DeviceCondition condition);
+[[nodiscard]] QString both_words(Situation situation, const FlowFacts& facts);
+[[nodiscard]] QString both_hint(const FlowFacts& facts, Obstacle obstacle);
 
 }  // namespace isograsp::gui

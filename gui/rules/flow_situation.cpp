@@ -6,6 +6,13 @@ namespace isograsp::gui {
 
 namespace {
 
+/// Both hands go in: before that what frees them is made sure of.
+Situation before_hands(const FlowFacts& facts) {
+  if (!facts.stop_tested) return Situation::test_stop;
+  if (!facts.within_reach) return Situation::promise_reach;
+  return facts.hand_out ? Situation::strap_again : Situation::strap_in;
+}
+
 /// The resting force comes next; the hand is strapped and settles before it.
 Situation before_rest(const FlowFacts& facts) {
   if (!facts.strapped) return Situation::strap_in;
@@ -18,9 +25,11 @@ Situation in_protocol(const FlowFacts& facts) {
     case ProtocolFacts::Act::none: return Situation::protocol_over;
     case ProtocolFacts::Act::zero: return Situation::protocol_zero;
     case ProtocolFacts::Act::pause:
+      if (hands_due(facts)) return before_hands(facts);
       return facts.hand_out ? Situation::strap_again : Situation::pause;
     case ProtocolFacts::Act::trial: break;
   }
+  if (hands_due(facts)) return before_hands(facts);
   if (facts.hand_out) return Situation::strap_again;
   if (!facts.task_chosen) return Situation::no_act;
   const bool rest = facts.task_rests;
@@ -33,6 +42,7 @@ Situation in_protocol(const FlowFacts& facts) {
 
 Situation by_hand(const FlowFacts& facts) {
   if (facts.recorded) return facts.task_done ? Situation::trial_stored : Situation::recording_ready;
+  if (hands_due(facts)) return before_hands(facts);
   if (facts.hand_out) return Situation::strap_again;
   const bool rest = facts.task_chosen && facts.task_rests;
   if (!facts.rest_done && !rest) return Situation::rest_left_out;
@@ -157,6 +167,8 @@ Mood mood_of(Situation situation) {
     case Situation::straps_due:
     case Situation::stop_work:
     case Situation::protocol_zero:
+    case Situation::test_stop:
+    case Situation::promise_reach:
     case Situation::strap_in:
     case Situation::strap_again:
     case Situation::rest_left_out:

@@ -30,6 +30,8 @@ std::optional<Step> step_of(Situation situation, const FlowFacts& facts) {
     case Situation::zero_missing:
     case Situation::protocol_zero: return Step::zero;
     case Situation::straps_due:
+    case Situation::test_stop:
+    case Situation::promise_reach:
     case Situation::strap_in:
     case Situation::strap_again:
     case Situation::settle:

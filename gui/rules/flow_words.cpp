@@ -46,6 +46,7 @@ QString device_words(const FlowFacts& facts, DeviceCondition condition) {
   using Condition = DeviceCondition;
   if (const auto words = camera_words(facts, condition); !words.isEmpty()) return words;
   if (const auto words = hand_device_words(facts, condition); !words.isEmpty()) return words;
+  if (const auto words = both_device_words(facts, condition); !words.isEmpty()) return words;
   switch (condition) {
     case Condition::absent: return FlowTexts::tr("Not connected");
     case Condition::failed: return QString::fromStdString(facts.connection_error);
@@ -243,8 +244,9 @@ QString words_in_session(Situation situation, const FlowFacts& facts, const Flow
 }
 
 QString words_for_situation(const FlowFacts& facts, const FlowView& view) {
-  const auto of_hand = hand_words(view.situation, facts);
-  const auto before = of_hand.isEmpty() ? words_before_session(view.situation, facts) : of_hand;
+  auto of_other = hand_words(view.situation, facts);
+  if (of_other.isEmpty()) of_other = both_words(view.situation, facts);
+  const auto before = of_other.isEmpty() ? words_before_session(view.situation, facts) : of_other;
   const auto words = before.isEmpty() ? words_in_session(view.situation, facts, view) : before;
   const auto device = QString::fromStdString(view.device_words);
   return view.device_speaks ? QStringLiteral("%1 %2").arg(device, words) : words;
@@ -254,6 +256,7 @@ QString words_for_situation(const FlowFacts& facts, const FlowView& view) {
 QString hint_of(const FlowFacts& facts) {
   const Obstacle obstacle = obstacle_of(facts);
   if (const auto words = hand_hint(facts, obstacle); !words.isEmpty()) return words;
+  if (const auto words = both_hint(facts, obstacle); !words.isEmpty()) return words;
   if (facts.start_posture && obstacle == Obstacle::zeroing)
     return FlowTexts::tr("Wait until the start posture is measured.");
   if (facts.start_posture && (obstacle == Obstacle::no_zero || obstacle == Obstacle::zero_again))
@@ -270,6 +273,8 @@ QString hint_of(const FlowFacts& facts) {
     case Obstacle::trial_runs: return FlowTexts::tr("A trial is running.");
     case Obstacle::protocol_over: return FlowTexts::tr("The protocol is finished.");
     case Obstacle::zero_again: return FlowTexts::tr("Set the zero of the empty device once more.");
+    case Obstacle::stop_untested:
+    case Obstacle::not_within_reach: break;  // of two platforms
     case Obstacle::not_strapped:
       return FlowTexts::tr("Say first that the hand is in and strapped.");
     case Obstacle::settles:

@@ -9,10 +9,11 @@
 
 #include "gui/arm_pages/cameras_dialog.hpp"
 #include "gui/arm_pages/first_visit_offer.hpp"
+#include "gui/force_pages/device_list.hpp"
+#include "gui/force_pages/platforms_form.hpp"
 #include "gui/hand_pages/basis_view.hpp"
 #include "gui/hand_pages/size_offer.hpp"
 #include "gui/look/look.hpp"
-#include "gui/session_pages/device_list.hpp"
 
 namespace isograsp::gui {
 
@@ -46,6 +47,7 @@ ConnectForm::ConnectForm(SessionPresenter& presenter, Staff& staff, QWidget* par
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(7);
   column->addWidget(devices_);
+  column->addWidget(new PlatformsForm(presenter_));
   column->addWidget(new FirstVisitOffer(presenter_));
   column->addWidget(new SizeOffer(presenter_));
   column->addWidget(new BasisView(presenter_, staff));
@@ -123,7 +125,12 @@ void ConnectForm::choose_recording() {
 void ConnectForm::refresh() {
   const auto& view = presenter_.flow().view();
   devices_->setEnabled(view.may_change_device);
-  devices_->setVisible(!presenter_.state().session_open());
+  devices_->setVisible(!presenter_.state().session_open() && !measures_both(presenter_.state()));
+  if (presenter_.state().choices.device_uri.empty() && devices_->currentRow() >= 0 &&
+      measures_both(presenter_.state())) {
+    const QSignalBlocker quiet(devices_);  // was chosen for one hand
+    devices_->setCurrentRow(-1);
+  }
   if (view.may_cancel_connecting) {
     connect_->setText(tr("&Cancel"));
     describe(*connect_, tr("Cancel connecting"), tr("Do not connect (Alt+C)"));
@@ -143,14 +150,12 @@ void ConnectForm::refresh() {
 
 ZeroForm::ZeroForm(SessionPresenter& presenter, QWidget* parent)
     : QWidget(parent), presenter_(presenter) {
-  zero_ = new QPushButton(tr("Device is empty: set &zero"));
+  zero_ = new QPushButton;
   zero_->setObjectName("zero");
-  describe(*zero_, tr("Set the zero of the empty device"),
-           tr("With no hand in the device: one quiet second becomes zero (Alt+Z)"));
   confirm_ = new QFrame;
   confirm_->setProperty("confirm", true);
-  auto* question = new QLabel(tr("No hand, nothing touches the supports?"));
-  question->setWordWrap(true);
+  question_ = new QLabel;
+  question_->setWordWrap(true);
   confirmed_ = new QPushButton(tr("Yes, empt&y"));
   confirmed_->setObjectName("zero_confirmed");
   describe(*confirmed_, tr("Yes, the device is empty"), tr("Set the zero now (Alt+Y)"));
@@ -162,7 +167,7 @@ ZeroForm::ZeroForm(SessionPresenter& presenter, QWidget* parent)
   answers->addWidget(not_yet_);
   auto* asking = new QVBoxLayout(confirm_);
   asking->setContentsMargins(8, 6, 8, 8);
-  asking->addWidget(question);
+  asking->addWidget(question_);
   asking->addLayout(answers);
   confirm_->hide();
   changed_ = new QPushButton(tr("Empty; was serviced: ta&ke it"));
@@ -202,6 +207,17 @@ ZeroForm::ZeroForm(SessionPresenter& presenter, QWidget* parent)
 void ZeroForm::refresh() {
   const auto& view = presenter_.flow().view();
   show_part(*this, !view.start_posture && !view.hand_entry);
+  if (view.both_hands) {
+    zero_->setText(tr("Both are empty: set &zeros"));
+    describe(*zero_, tr("Set the zeros of both empty platforms"),
+             tr("With no hand in either: one quiet second becomes zero, of both at once (Alt+Z)"));
+    question_->setText(tr("No hand in either, nothing touches the supports?"));
+  } else {
+    zero_->setText(tr("Device is empty: set &zero"));
+    describe(*zero_, tr("Set the zero of the empty device"),
+             tr("With no hand in the device: one quiet second becomes zero (Alt+Z)"));
+    question_->setText(tr("No hand, nothing touches the supports?"));
+  }
   zero_->setEnabled(view.may_zero);
   mark_next(*zero_, view.press == NextPress::zero);
   mark_next(*confirmed_, view.press == NextPress::zero);

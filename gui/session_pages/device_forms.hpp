@@ -48,6 +48,7 @@ class ZeroForm final : public QWidget {
   SessionPresenter& presenter_;
   QPushButton* zero_;
   QFrame* confirm_;
+  QLabel* question_;
   QPushButton* confirmed_;
   QPushButton* not_yet_;
   QPushButton* changed_;

@@ -105,6 +105,17 @@ QWidget* DevicePage::make_check() {
   instruction_->setProperty("role", "large");
   instruction_->setWordWrap(true);
   picture_ = new SupportPicture;
+  side_ = new ChoiceBox;
+  side_->setObjectName("check_side");
+  side_->addItem(tr("Platform of the left hand"));
+  side_->addItem(tr("Platform of the right hand"));
+  describe(*side_, tr("Platform to be checked"),
+           tr("Which of the two platforms (Tab, arrow keys)"));
+  connect(side_, QOverload<int>::of(&QComboBox::activated), this, [this] {
+    check_ = {};  // what was found is of the other one
+    results_->clear();
+    refresh_check();
+  });
   begin_ = new QPushButton;
   begin_->setObjectName("check_begin");
   results_ = new QListWidget;
@@ -112,6 +123,7 @@ QWidget* DevicePage::make_check() {
   results_->setWordWrap(true);
   take_rest(*results_, 3 * kRow_px);
   describe(*results_, tr("What the check found"), tr("One line for every press (Tab, arrow keys)"));
+  card->column().addWidget(side_);
   card->column().addWidget(instruction_);
   card->column().addWidget(picture_, 2);
   card->column().addWidget(begin_);
@@ -130,8 +142,8 @@ QWidget* DevicePage::make_sensors() {
   sensors_->setHorizontalHeaderLabels(heads);
   sensors_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   sensors_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
-  sensors_->horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
   sensors_->horizontalHeaderItem(0)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  sensors_->horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
   sensors_->verticalHeader()->hide();
   sensors_->verticalHeader()->setDefaultSectionSize(scaled(kRow_px));
   sensors_->setShowGrid(false);
@@ -172,22 +184,35 @@ QWidget* DevicePage::make_faults() {
   return card;
 }
 
+std::optional<Hand> DevicePage::checked_side() const {
+  if (!measures_both(presenter_.state())) return std::nullopt;
+  return side_->currentIndex() == 0 ? Hand::left : Hand::right;
+}
+
 void DevicePage::toggle_check() {
   const bool running =
       check_.state() == GuidedCheck::State::empty || check_.state() == GuidedCheck::State::pressing;
   if (running)
     check_.stop();
   else if (const auto* info = presenter_.state().device())
-    check_.begin(info->frame_period_s, presenter_.state().choices.today.hand.value_or(Hand::right),
-                 presenter_.state().snapshot().frames);
+    check_.begin(
+        info->frame_period_s,
+        checked_side().value_or(presenter_.state().choices.today.hand.value_or(Hand::right)),
+        presenter_.state().snapshot().frames);
   refresh_check();
 }
 
 void DevicePage::look() {
   if (!presenter_.flow().view().may_check) check_.stop();
-  if (check_.look(presenter_.state().snapshot())) {
-    if (check_.state() == GuidedCheck::State::over)
-      presenter_.remarks().note("Guided check: " + english(check_.outcome()));
+  const auto& open = presenter_.state().open;
+  const auto checked = checked_side();
+  const bool changed = checked && open && open->both ? check_.look(side_of(*open->both, *checked))
+                                                     : check_.look(presenter_.state().snapshot());
+  if (changed) {
+    if (check_.state() == GuidedCheck::State::over) {
+      const std::string side = checked ? " (" + std::string(name_of(*checked)) + ")" : "";
+      presenter_.remarks().note("Guided check" + side + ": " + english(check_.outcome()));
+    }
     refresh_check();
   }
   // Twice a second is enough for counters.
@@ -203,13 +228,19 @@ void DevicePage::refresh() {
   const bool is_arm = presenter_.state().measures_arm();
   const bool is_hand = presenter_.state().measures_hand();
   const bool is_seen = is_arm || is_hand;
-  state_card_->set_title(is_arm ? tr("Cameras") : is_hand ? tr("Tracker") : tr("Device"));
+  const bool both = measures_both(presenter_.state());
+  state_card_->set_title(is_arm    ? tr("Cameras")
+                         : is_hand ? tr("Tracker")
+                         : both    ? tr("Both platforms")
+                                   : tr("Device"));
+  side_->setVisible(both);
   details_->setText(info == nullptr ? tr("A device, or cameras, are chosen and connected on the "
                                          "page of the session, once patient and hand are known.")
-                                    : details_of(*info, is_seen));
+                                    : details_of(*info, is_seen || both));
   check_card_->setVisible(!is_seen);
   counted_card_->set_title(is_arm    ? tr("What the cameras counted")
                            : is_hand ? tr("What the tracker counted")
+                           : both    ? tr("What the sensors counted, left / right")
                                      : tr("What the sensors counted"));
   sensors_->setVisible(!is_seen);
   cameras_->setVisible(is_seen);
@@ -219,7 +250,11 @@ void DevicePage::refresh() {
     for (auto fault = faults.rbegin(); fault != faults.rend(); ++fault)
       faults_->addItem(tr("%L1 min: %2")
                            .arg(fault->session_time_s / 60.0, 0, 'f', 1)
-                           .arg(translated(fault->words)));
+                           .arg(fault->side
+                                    ? (*fault->side == Hand::left ? tr("left platform, %1")
+                                                                  : tr("right platform, %1"))
+                                          .arg(in_sentence(translated(fault->words)))
+                                    : translated(fault->words)));
   }
   faults_->setVisible(faults_->count() > 0);
   no_faults_->setVisible(faults_->count() == 0);
@@ -231,7 +266,9 @@ void DevicePage::refresh_check() {
   const auto& view = presenter_.flow().view();
   const auto state = check_.state();
   const bool running = state == GuidedCheck::State::empty || state == GuidedCheck::State::pressing;
-  const auto hand = presenter_.state().choices.today.hand.value_or(Hand::right);
+  const auto hand =
+      checked_side().value_or(presenter_.state().choices.today.hand.value_or(Hand::right));
+  side_->setEnabled(!running);
   picture_->show_step(
       state == GuidedCheck::State::pressing ? std::optional(check_.step()) : std::nullopt, hand);
   begin_->setText(running ? tr("Stop the chec&k") : tr("Chec&k the supports"));
@@ -287,12 +324,20 @@ void DevicePage::refresh_sensors() {
             .arg(count.malformed)
             .arg(count.restarts));
   }
+  const auto& open = presenter_.state().open;
   const auto& health = presenter_.state().snapshot().health;
   for (std::size_t row = 0; row < kCounters.size(); ++row)
     for (std::size_t f = 0; f < kFingerCount; ++f) {
-      const auto count = health.sensors[f].*kCounters[row].count;
-      auto* item = sensors_->item(static_cast<int>(row), static_cast<int>(f) + 1);
-      item->setText(presenter_.state().session_open() ? QString::number(count) : QString());
+      const auto counted = [&](const DeviceHealth& of) {
+        return QString::number(of.sensors[f].*kCounters[row].count);
+      };
+      QString text;
+      if (open && open->both)
+        text = tr("%1 / %2", "samples of the left and of the right platform")
+                   .arg(counted(open->both->of.left.health), counted(open->both->of.right.health));
+      else if (open)
+        text = counted(health);
+      sensors_->item(static_cast<int>(row), static_cast<int>(f) + 1)->setText(text);
     }
 }
 

@@ -10,6 +10,7 @@
 #include <QWidget>
 
 #include "gui/look/card.hpp"
+#include "gui/look/choice_box.hpp"
 #include "gui/presenter/session_presenter.hpp"
 #include "gui/rules/guided_check.hpp"
 #include "gui/session_pages/state_light.hpp"
@@ -29,6 +30,8 @@ class DevicePage final : public QWidget {
   [[nodiscard]] QWidget* make_sensors();
   [[nodiscard]] QWidget* make_faults();
   void toggle_check();
+  /// The platform that is checked, of two.
+  [[nodiscard]] std::optional<Hand> checked_side() const;
   void look();
   void refresh();
   void refresh_check();
@@ -42,6 +45,7 @@ class DevicePage final : public QWidget {
   QLabel* details_;
   QLabel* instruction_;
   SupportPicture* picture_;
+  ChoiceBox* side_;  ///< which of two platforms is checked
   QPushButton* begin_;
   QListWidget* results_;
   QTableWidget* sensors_;

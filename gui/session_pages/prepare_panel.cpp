@@ -6,6 +6,8 @@
 #include <algorithm>
 
 #include "gui/arm_pages/arm_screening_form.hpp"
+#include "gui/force_pages/both_screening_form.hpp"
+#include "gui/force_pages/screening_form.hpp"
 #include "gui/hand_pages/hand_screening_form.hpp"
 #include "gui/hand_pages/hand_words.hpp"
 #include "gui/look/look.hpp"
@@ -14,7 +16,6 @@
 #include "gui/session_pages/patient_form.hpp"
 #include "gui/session_pages/posture_form.hpp"
 #include "gui/session_pages/protocol_form.hpp"
-#include "gui/session_pages/screening_form.hpp"
 #include "gui/session_pages/strap_form.hpp"
 #include "gui/words/texts.hpp"
 
@@ -27,19 +28,25 @@ QString words_of(Step step, const FlowView& view) {
   const bool arm = view.start_posture;
   switch (step) {
     case Step::patient: return PreparePanel::tr("Patient");
-    case Step::hand: return arm ? PreparePanel::tr("Arm today") : PreparePanel::tr("Hand today");
+    case Step::hand:
+      return arm               ? PreparePanel::tr("Arm today")
+             : view.both_hands ? PreparePanel::tr("Hands today")
+                               : PreparePanel::tr("Hand today");
     case Step::screening: return PreparePanel::tr("Screening");
     case Step::device:
       return arm                 ? PreparePanel::tr("Cameras")
              : view.hand_entry   ? PreparePanel::tr("Tracker")
+             : view.both_hands   ? PreparePanel::tr("Platforms")
              : view.device_known ? PreparePanel::tr("Device")
                                  : PreparePanel::tr("Device or cameras");
     case Step::zero:
       return arm                 ? PreparePanel::tr("Start posture")
              : view.hand_entry   ? PreparePanel::tr("Entry test")
+             : view.both_hands   ? PreparePanel::tr("Zeros, both empty")
              : view.device_known ? PreparePanel::tr("Zero, empty")
                                  : PreparePanel::tr("Zero or start posture");
-    case Step::rest: return PreparePanel::tr("Hand in");
+    case Step::rest:
+      return view.both_hands ? PreparePanel::tr("Hands in") : PreparePanel::tr("Hand in");
     case Step::work: return PreparePanel::tr("Protocol");
   }
   return {};
@@ -79,12 +86,14 @@ PreparePanel::PreparePanel(SessionPresenter& presenter, Staff& staff, QWidget* p
   refresh();
 }
 
-/// The questions before forces, about an arm, or about a tracked hand: one of them is shown.
+/// The questions before forces, of one hand or of both, about an arm, or about a tracked hand: one
+/// of them is shown.
 QWidget* PreparePanel::make_screening() {
   auto* body = new QWidget;
   auto* column = new QVBoxLayout(body);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(new ScreeningForm(presenter_));
+  column->addWidget(new BothScreeningForm(presenter_));
   column->addWidget(new ArmScreeningForm(presenter_));
   column->addWidget(new HandScreeningForm(presenter_));
   return body;
@@ -114,6 +123,16 @@ QWidget* PreparePanel::make_hand() {
   };
   left_ = make("hand_left", Hand::left);
   right_ = make("hand_right", Hand::right);
+  both_ = new QPushButton(tr("Both, on two platforms"));
+  both_->setObjectName("hand_both");
+  both_->setCheckable(true);
+  describe(*both_, tr("Both hands, on two platforms"),
+           tr("Each hand on a platform of its own: asked in every session (Tab, then "
+              "space)"));
+  connect(both_, &QPushButton::clicked, this, [this] {
+    presenter_.choices().choose_both_hands();
+    refresh();
+  });
   confirm_hand_ = new QPushButton;
   confirm_hand_->setObjectName("confirm_hand");
   connect(confirm_hand_, &QPushButton::clicked, this,
@@ -125,6 +144,7 @@ QWidget* PreparePanel::make_hand() {
   auto* column = new QVBoxLayout(body);
   column->setSpacing(7);
   column->addLayout(row);
+  column->addWidget(both_);
   column->addWidget(confirm_hand_);
   return body;
 }
@@ -156,12 +176,15 @@ QString PreparePanel::summary_of(Step step) const {
       const auto code = QString::fromStdString(presenter_.state().choices.patient);
       return screen.isEmpty() ? code : tr("%1, %2").arg(code, screen);
     }
-    case Step::hand: return !hand ? QString() : *hand == Hand::left ? tr("left") : tr("right");
+    case Step::hand:
+      if (presenter_.state().choices.today.both) return tr("both");
+      return !hand ? QString() : *hand == Hand::left ? tr("left") : tr("right");
     case Step::screening: {
       const auto& today = presenter_.state().choices.today;
       const SessionState& state = presenter_.state();
       return state.measures_arm()    ? summary(today.arm_screening)
              : state.measures_hand() ? summary(today.hand_screening)
+             : measures_both(state)  ? summary(today.screenings)
                                      : summary(today.screening);
     }
     case Step::device: return QString::fromStdString(view.device_words);
@@ -198,6 +221,9 @@ void PreparePanel::refresh() {
   const auto hand = presenter_.state().choices.today.hand;
   left_->setChecked(hand == Hand::left);
   right_->setChecked(hand == Hand::right);
+  both_->setChecked(presenter_.state().choices.today.both);
+  both_->setVisible(!view.start_posture && !view.hand_entry);
+  both_->setEnabled(view.may_change_hand);
   for (auto* button : {left_, right_}) {
     button->setEnabled(view.may_change_hand);
     mark_next(*button, view.press == NextPress::hand);

@@ -33,6 +33,7 @@ class PreparePanel final : public QWidget {
   SessionPresenter& presenter_;
   QPushButton* left_;
   QPushButton* right_;
+  QPushButton* both_;
   QPushButton* confirm_hand_;
   std::array<StepSection*, kStepCount> sections_{};
 };

@@ -5,9 +5,10 @@
 #include <QVBoxLayout>
 
 #include "gui/arm_pages/arm_panel.hpp"
+#include "gui/force_pages/both_hands_panel.hpp"
+#include "gui/force_pages/live_panel.hpp"
 #include "gui/hand_pages/hand_panel.hpp"
 #include "gui/look/look.hpp"
-#include "gui/session_pages/live_panel.hpp"
 #include "gui/session_pages/prepare_panel.hpp"
 #include "gui/session_pages/run_panel.hpp"
 #include "gui/session_pages/score_panel.hpp"
@@ -38,7 +39,8 @@ SessionPage::SessionPage(SessionPresenter& presenter, const SettingsFile& settin
   auto* left = make_column(in_a_row ? 290 : 260, in_a_row ? 360 : 0);
   left->addWidget(prepare);
   auto* watch = make_column(400, 0);
-  watch->addWidget(new LivePanel(presenter, settings), 3);  // one of the three is shown
+  watch->addWidget(new LivePanel(presenter, settings), 3);  // one of the four is shown
+  watch->addWidget(new BothHandsPanel(presenter), 3);
   watch->addWidget(new ArmPanel(presenter), 5);
   watch->addWidget(new HandPanel(presenter), 3);
   watch->addWidget(new ScorePanel(presenter), 2);

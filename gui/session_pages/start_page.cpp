@@ -195,12 +195,13 @@ void StartPage::fill() {
       continue;
     const auto session = newest_.find(patient.id);
     const bool here = local_date(newest(patient)) == local_date(today);
-    const auto below =
-        session == newest_.end()
-            ? tr("No session yet; added %1").arg(local_date(patient.created_utc))
-            : tr("Last session %1, %2")
-                  .arg(local_time(session->second.started_utc),
-                       session->second.hand == Hand::left ? tr("left hand") : tr("right hand"));
+    const auto below = session == newest_.end()
+                           ? tr("No session yet; added %1").arg(local_date(patient.created_utc))
+                           : tr("Last session %1, %2")
+                                 .arg(local_time(session->second.started_utc),
+                                      !session->second.hand                ? tr("both hands")
+                                      : session->second.hand == Hand::left ? tr("left hand")
+                                                                           : tr("right hand"));
     add_two_lines(*list_, {code, here ? tr("TODAY") : QString(),
                            name.isEmpty() ? below : tr("%1. %2").arg(name, below)});
     if (code == chosen) list_->setCurrentRow(list_->count() - 1);

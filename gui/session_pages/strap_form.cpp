@@ -6,6 +6,7 @@
 #include <QStringList>
 #include <QVBoxLayout>
 
+#include "gui/force_pages/safety_form.hpp"
 #include "gui/look/look.hpp"
 #include "gui/words/texts.hpp"
 
@@ -55,9 +56,10 @@ StrapForm::StrapForm(SessionPresenter& presenter, QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(7);
-  for (QWidget* widget : {static_cast<QWidget*>(posture_), static_cast<QWidget*>(edit_), fields_,
-                          static_cast<QWidget*>(deviations_), static_cast<QWidget*>(strapped_),
-                          static_cast<QWidget*>(words_)})
+  for (QWidget* widget :
+       {static_cast<QWidget*>(posture_), static_cast<QWidget*>(edit_), fields_,
+        static_cast<QWidget*>(deviations_), static_cast<QWidget*>(new SafetyForm(presenter_)),
+        static_cast<QWidget*>(strapped_), static_cast<QWidget*>(words_)})
     column->addWidget(widget);
   connect(edit_, &QPushButton::toggled, fields_, &QWidget::setVisible);
   connect(strapped_, &QPushButton::clicked, this, [this] {
@@ -138,8 +140,11 @@ void StrapForm::refresh() {
   const auto differs = deviations(posture, last);
   deviations_->setText(tr("Not as last time: %1.").arg(differs));
   deviations_->setVisible(!differs.isEmpty());
-  strapped_->setText(as_last_time ? tr("Hand &in, strapped, as last time")
-                                  : tr("Hand is &in and strapped"));
+  const bool both = view.both_hands;
+  strapped_->setText(both && as_last_time ? tr("Both hands &in, as last time")
+                     : both               ? tr("Both hands are &in")
+                     : as_last_time       ? tr("Hand &in, strapped, as last time")
+                                          : tr("Hand is &in and strapped"));
   describe(*strapped_, strapped_->text().remove(QLatin1Char('&')),
            tr("It is as said above. From now a minute to settle, then the resting force can be "
               "measured (Alt+I)"));

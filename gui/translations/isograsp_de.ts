@@ -350,6 +350,22 @@
         <source>Hand, by a script here</source>
         <translation>Hand, von einem Skript hier</translation>
     </message>
+    <message>
+        <source>Simulated, both healthy</source>
+        <translation>Simuliert, beide gesund</translation>
+    </message>
+    <message>
+        <source>Simulated, left hand paretic</source>
+        <translation>Simuliert, linke Hand paretisch</translation>
+    </message>
+    <message>
+        <source>Simulated, right hand paretic</source>
+        <translation>Simuliert, rechte Hand paretisch</translation>
+    </message>
+    <message>
+        <source>Simulated: %1</source>
+        <translation>Simuliert: %1</translation>
+    </message>
 </context>
 <context>
     <name>Flow</name>
@@ -812,6 +828,146 @@
     <message>
         <source>Wait until the entry test is over.</source>
         <translation>Warten, bis der Eingangstest vorbei ist.</translation>
+    </message>
+    <message>
+        <source>Left platform: %1</source>
+        <translation>Linke Plattform: %1</translation>
+    </message>
+    <message>
+        <source>Right platform: %1</source>
+        <translation>Rechte Plattform: %1</translation>
+    </message>
+    <message>
+        <source>Ask the screening questions of each hand before any force.</source>
+        <translation>Stellen Sie die Vorab-Fragen zu jeder Hand, bevor Kraft verlangt wird.</translation>
+    </message>
+    <message>
+        <source>Connecting to both platforms …</source>
+        <translation>Verbindung mit beiden Plattformen …</translation>
+    </message>
+    <message>
+        <source>Choose the platform of each hand.</source>
+        <translation>Wählen Sie die Plattform jeder Hand.</translation>
+    </message>
+    <message>
+        <source>Connect both platforms to begin the session.</source>
+        <translation>Verbinden Sie beide Plattformen, um die Sitzung zu beginnen.</translation>
+    </message>
+    <message>
+        <source>Before the hands go in: press the pedal (F9) or the stop key (F10) once, as a test.</source>
+        <translation>Bevor die Hände hineinkommen: zur Probe einmal das Pedal (F9) oder die Stopptaste (F10) drücken.</translation>
+    </message>
+    <message>
+        <source>The stop works. Confirm that you stay within reach.</source>
+        <translation>Der Stopp geht. Bestätigen Sie, dass Sie in Reichweite bleiben.</translation>
+    </message>
+    <message>
+        <source>Put both hands in and say so; after a minute the resting force begins.</source>
+        <translation>Beide Hände hineinlegen und bestätigen; nach einer Minute beginnt die Ruhekraft.</translation>
+    </message>
+    <message>
+        <source>Put both hands in and say so; after a minute start the resting force.</source>
+        <translation>Beide Hände hineinlegen und bestätigen; nach einer Minute die Ruhekraft starten.</translation>
+    </message>
+    <message>
+        <source>Both zeros are set. Put both hands in again and say so.</source>
+        <translation>Beide Nullabgleiche sind erfolgt. Beide Hände wieder hineinlegen und bestätigen.</translation>
+    </message>
+    <message>
+        <source>Both hands are in. They settle: %1 s, then the resting force begins.</source>
+        <translation>Beide Hände liegen. Sie kommen zur Ruhe: noch %1 s, dann beginnt die Ruhekraft.</translation>
+    </message>
+    <message>
+        <source>Both hands are in. They settle: %1 s until the resting force.</source>
+        <translation>Beide Hände liegen. Sie kommen zur Ruhe: noch %1 s bis zur Ruhekraft.</translation>
+    </message>
+    <message>
+        <source>The hands have settled. They relax: start the resting force.</source>
+        <translation>Die Hände sind zur Ruhe gekommen. Sie entspannen: die Ruhekraft starten.</translation>
+    </message>
+    <message>
+        <source>The straps have been on for 20 minutes: look at the skin, then confirm that the hands are in.</source>
+        <translation>Die Gurte sitzen seit 20 Minuten: Sehen Sie die Haut an und bestätigen Sie dann, dass die Hände liegen.</translation>
+    </message>
+    <message>
+        <source>A platform sends no more forces</source>
+        <translation>Eine Plattform sendet keine Kräfte mehr</translation>
+    </message>
+    <message>
+        <source>No forces arrive: check cable and power of both platforms</source>
+        <translation>Es kommen keine Kräfte an: Kabel und Stromversorgung beider Plattformen prüfen</translation>
+    </message>
+    <message>
+        <source>Measuring both empty platforms …</source>
+        <translation>Beide leeren Plattformen werden gemessen …</translation>
+    </message>
+    <message>
+        <source>Connected, both need their zero</source>
+        <translation>Verbunden, beiden fehlt der Nullabgleich</translation>
+    </message>
+    <message>
+        <source>A platform sends no more forces. Disconnect to end the session.</source>
+        <translation>Eine Plattform sendet keine Kräfte mehr. Trennen Sie, um die Sitzung zu beenden.</translation>
+    </message>
+    <message>
+        <source>Setting both zeros. Nobody touches the platforms.</source>
+        <translation>Beide Nullabgleiche laufen. Niemand berührt die Plattformen.</translation>
+    </message>
+    <message>
+        <source>Both platforms connected. Set their zeros with both empty.</source>
+        <translation>Beide Plattformen verbunden. Nullabgleich machen, während beide leer sind.</translation>
+    </message>
+    <message>
+        <source>Take both hands out, then set the zeros of the empty platforms once more.</source>
+        <translation>Beide Hände herausnehmen, dann den Nullabgleich der leeren Plattformen noch einmal machen.</translation>
+    </message>
+    <message>
+        <source>The device works again. Both hands let go; if Resume stays closed, stop, set the zeros and repeat the trial.</source>
+        <translation>Das Gerät arbeitet wieder. Beide Hände lassen los; bleibt „Weitermachen“ gesperrt, beenden, Nullabgleich machen und den Versuch wiederholen.</translation>
+    </message>
+    <message>
+        <source>%1 Next: the maxima of both hands.</source>
+        <translation>%1 Als Nächstes: die Maxima beider Hände.</translation>
+    </message>
+    <message>
+        <source>Resting forces are known.</source>
+        <translation>Die Ruhekräfte sind bekannt.</translation>
+    </message>
+    <message>
+        <source>The maxima are known. Choose a task and press Start.</source>
+        <translation>Die Maxima sind bekannt. Wählen Sie eine Aufgabe und drücken Sie Start.</translation>
+    </message>
+    <message>
+        <source>Connect both platforms first.</source>
+        <translation>Verbinden Sie zuerst beide Plattformen.</translation>
+    </message>
+    <message>
+        <source>Set both zeros first, with both empty.</source>
+        <translation>Machen Sie zuerst den Nullabgleich, während beide leer sind.</translation>
+    </message>
+    <message>
+        <source>Wait until both zeros are set.</source>
+        <translation>Warten Sie, bis beide Nullabgleiche fertig sind.</translation>
+    </message>
+    <message>
+        <source>Set the zeros of the empty platforms once more.</source>
+        <translation>Machen Sie den Nullabgleich der leeren Plattformen noch einmal.</translation>
+    </message>
+    <message>
+        <source>Press the pedal (F9) or F10 once, as a test.</source>
+        <translation>Drücken Sie zur Probe einmal das Pedal (F9) oder F10.</translation>
+    </message>
+    <message>
+        <source>Confirm first that you stay within reach.</source>
+        <translation>Bestätigen Sie zuerst, dass Sie in Reichweite bleiben.</translation>
+    </message>
+    <message>
+        <source>Say first that both hands are in.</source>
+        <translation>Bestätigen Sie zuerst, dass beide Hände liegen.</translation>
+    </message>
+    <message>
+        <source>The hands settle: %1 s.</source>
+        <translation>Die Hände kommen zur Ruhe: %1 s.</translation>
     </message>
 </context>
 <context>
@@ -3183,6 +3339,142 @@
     </message>
 </context>
 <context>
+    <name>isograsp::gui::BothHandsPanel</name>
+    <message>
+        <source>No share: the affected side is not on record.</source>
+        <translation>Kein Anteil: die betroffene Seite ist nicht erfasst.</translation>
+    </message>
+    <message>
+        <source>Shares are above rest: measure the resting forces first.</source>
+        <translation>Anteile sind über der Ruhe: zuerst die Ruhekräfte messen.</translation>
+    </message>
+    <message>
+        <source>Share: both hands rest.</source>
+        <translation>Anteil: beide Hände ruhen.</translation>
+    </message>
+    <message>
+        <source>Share of the affected hand (left) &lt;b&gt;%1 %&lt;/b&gt;</source>
+        <translation>Anteil der betroffenen Hand (links) &lt;b&gt;%1 %&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>Share of the affected hand (right) &lt;b&gt;%1 %&lt;/b&gt;</source>
+        <translation>Anteil der betroffenen Hand (rechts) &lt;b&gt;%1 %&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>%1 · of effort &lt;b&gt;%2 %&lt;/b&gt;</source>
+        <translation>%1 · der Anstrengung &lt;b&gt;%2 %&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>Live forces of both hands</source>
+        <translation>Kräfte beider Hände jetzt</translation>
+    </message>
+    <message>
+        <source>Grip: the smaller of the thumb and the two fingers together; above rest below it</source>
+        <translation>Griff: der kleinere Wert von Daumen und beiden Fingern zusammen; darunter über der Ruhe</translation>
+    </message>
+    <message>
+        <source>Mean of the last second above each hand&apos;s rest; of effort: each as a part of its maximum. It also rises when the other hand weakens: look at both forces</source>
+        <translation>Mittel der letzten Sekunde über der Ruhe jeder Hand; der Anstrengung: jede als Teil ihres Maximums. Er steigt auch, wenn die andere Hand schwächer wird: beide Kräfte ansehen</translation>
+    </message>
+    <message>
+        <source>Grip forces of the last 20 seconds</source>
+        <translation>Griffkräfte der letzten 20 Sekunden</translation>
+    </message>
+    <message>
+        <source>Left L, right R, both L+R, and what is asked of them dashed; the values stand above</source>
+        <translation>Links L, rechts R, beide L+R, gestrichelt was verlangt ist; die Werte stehen darüber</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>%1, affected</source>
+        <translation>%1, betroffen</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>above rest %1 N</source>
+        <translation>über Ruhe %1 N</translation>
+    </message>
+    <message>
+        <source>Left platform: %1</source>
+        <translation>Linke Plattform: %1</translation>
+    </message>
+    <message>
+        <source>Right platform: %1</source>
+        <translation>Rechte Plattform: %1</translation>
+    </message>
+    <message>
+        <source>Left %1</source>
+        <comment>a finger</comment>
+        <translation>Links: %1</translation>
+    </message>
+    <message>
+        <source>Right %1</source>
+        <comment>a finger</comment>
+        <translation>Rechts: %1</translation>
+    </message>
+    <message>
+        <source>%1 %2 N</source>
+        <translation>%1 %2 N</translation>
+    </message>
+    <message>
+        <source>%1, no force yet</source>
+        <translation>%1, noch keine Kraft</translation>
+    </message>
+    <message>
+        <source>lost %1, damaged %2</source>
+        <translation>verloren %1, beschädigt %2</translation>
+    </message>
+    <message>
+        <source>no forces yet</source>
+        <translation>noch keine Kräfte</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::BothScreeningForm</name>
+    <message>
+        <source>Left hand</source>
+        <translation>Linke Hand</translation>
+    </message>
+    <message>
+        <source>Right hand</source>
+        <translation>Rechte Hand</translation>
+    </message>
+    <message>
+        <source>✓ %1</source>
+        <translation>✓ %1</translation>
+    </message>
+    <message>
+        <source>%1: answered</source>
+        <translation>%1: beantwortet</translation>
+    </message>
+    <message>
+        <source>%1: to be asked</source>
+        <translation>%1: noch zu fragen</translation>
+    </message>
+    <message>
+        <source>The questions of this hand (Tab, then space)</source>
+        <translation>Die Fragen zu dieser Hand (Tab, dann Leertaste)</translation>
+    </message>
+    <message>
+        <source>For both hands holds: %1.</source>
+        <translation>Für beide Hände gilt: %1.</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::CamerasDialog</name>
     <message>
         <source>Cameras</source>
@@ -3692,6 +3984,43 @@ Verloren: %5
 Beschädigt: %6
 Neu verbunden: %7</translation>
     </message>
+    <message>
+        <source>Platform of the left hand</source>
+        <translation>Plattform der linken Hand</translation>
+    </message>
+    <message>
+        <source>Platform of the right hand</source>
+        <translation>Plattform der rechten Hand</translation>
+    </message>
+    <message>
+        <source>Platform to be checked</source>
+        <translation>Plattform, die geprüft wird</translation>
+    </message>
+    <message>
+        <source>Which of the two platforms (Tab, arrow keys)</source>
+        <translation>Welche der beiden Plattformen (Tab, Pfeiltasten)</translation>
+    </message>
+    <message>
+        <source>Both platforms</source>
+        <translation>Beide Plattformen</translation>
+    </message>
+    <message>
+        <source>left platform, %1</source>
+        <translation>linke Plattform, %1</translation>
+    </message>
+    <message>
+        <source>right platform, %1</source>
+        <translation>rechte Plattform, %1</translation>
+    </message>
+    <message>
+        <source>What the sensors counted, left / right</source>
+        <translation>Was die Sensoren gezählt haben, links / rechts</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <comment>samples of the left and of the right platform</comment>
+        <translation>%1 / %2</translation>
+    </message>
 </context>
 <context>
     <name>isograsp::gui::EntryForm</name>
@@ -4184,6 +4513,32 @@ Neu verbunden: %7</translation>
     <message>
         <source>Nothing applies, no &amp;pain</source>
         <translation>Nichts trifft &amp;zu, kein Schmerz</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::HandsPlot</name>
+    <message>
+        <source>Time before now (s)</source>
+        <translation>Zeit vor jetzt (s)</translation>
+    </message>
+    <message>
+        <source>Grip force (N)</source>
+        <translation>Griffkraft (N)</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <comment>left hand, at the end of its curve</comment>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <comment>right hand, at the end of its curve</comment>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>L+R</source>
+        <comment>both hands, at the end of their curve</comment>
+        <translation>L+R</translation>
     </message>
 </context>
 <context>
@@ -5180,6 +5535,29 @@ Neu verbunden: %7</translation>
     </message>
 </context>
 <context>
+    <name>isograsp::gui::PlatformsForm</name>
+    <message>
+        <source>Platform of the left hand</source>
+        <translation>Plattform der linken Hand</translation>
+    </message>
+    <message>
+        <source>Platform of the right hand</source>
+        <translation>Plattform der rechten Hand</translation>
+    </message>
+    <message>
+        <source>What is present now, and a simulated person (Tab, then arrow keys)</source>
+        <translation>Was jetzt da ist, und eine simulierte Person (Tab, dann Pfeiltasten)</translation>
+    </message>
+    <message>
+        <source>Left platform</source>
+        <translation>Linke Plattform</translation>
+    </message>
+    <message>
+        <source>Right platform</source>
+        <translation>Rechte Plattform</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::PostureDesk</name>
     <message>
         <source>Not recorded: the arm moved by %1 mm (SD). Hold it still.</source>
@@ -5616,6 +5994,38 @@ Neu verbunden: %7</translation>
     <message>
         <source>opens %1 mm</source>
         <translation>öffnet %1 mm</translation>
+    </message>
+    <message>
+        <source>Hands today</source>
+        <translation>Hände heute</translation>
+    </message>
+    <message>
+        <source>Platforms</source>
+        <translation>Plattformen</translation>
+    </message>
+    <message>
+        <source>Zeros, both empty</source>
+        <translation>Null, beide leer</translation>
+    </message>
+    <message>
+        <source>Hands in</source>
+        <translation>Hände im Gerät</translation>
+    </message>
+    <message>
+        <source>Both, on two platforms</source>
+        <translation>Beide, auf zwei Plattformen</translation>
+    </message>
+    <message>
+        <source>Both hands, on two platforms</source>
+        <translation>Beide Hände, auf zwei Plattformen</translation>
+    </message>
+    <message>
+        <source>Each hand on a platform of its own: asked in every session (Tab, then space)</source>
+        <translation>Jede Hand auf ihrer eigenen Plattform: wird in jeder Sitzung gefragt (Tab, dann Leertaste)</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>beide</translation>
     </message>
 </context>
 <context>
@@ -6329,6 +6739,45 @@ Neu verbunden: %7</translation>
     <message>
         <source>The patient&apos;s screen shows how a healthy arm does this task (F7, Alt+W)</source>
         <translation>Der Bildschirm des Patienten zeigt, wie ein gesunder Arm diese Aufgabe macht (F7, Alt+W)</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::SafetyForm</name>
+    <message>
+        <source>✓ The stop was pressed, and works.</source>
+        <translation>✓ Der Stopp wurde gedrückt und geht.</translation>
+    </message>
+    <message>
+        <source>Press the pedal (F9) or the stop key (F10) once, as a test.</source>
+        <translation>Zur Probe einmal das Pedal (F9) oder die Stopptaste (F10) drücken.</translation>
+    </message>
+    <message>
+        <source>✓ I stay within reach</source>
+        <translation>✓ Ich bleibe in Reichweite</translation>
+    </message>
+    <message>
+        <source>I stay within reach</source>
+        <translation>Ich bleibe in Reichweite</translation>
+    </message>
+    <message>
+        <source>As long as hands are strapped you can free them at any time; stored with the session (Tab, then space)</source>
+        <translation>Solange Hände angegurtet sind, können Sie sie jederzeit befreien; wird mit der Sitzung gespeichert (Tab, dann Leertaste)</translation>
+    </message>
+    <message>
+        <source>The less affected hand lies unstrapped in its supports, so that it can help.</source>
+        <translation>Die weniger betroffene Hand liegt ohne Gurte in ihren Auflagen, damit sie helfen kann.</translation>
+    </message>
+    <message>
+        <source>It is strapped, too</source>
+        <translation>Sie ist auch angegurtet</translation>
+    </message>
+    <message>
+        <source>The less affected hand is strapped, too</source>
+        <translation>Die weniger betroffene Hand ist auch angegurtet</translation>
+    </message>
+    <message>
+        <source>Against the rule; stored with the session (Tab, then space)</source>
+        <translation>Gegen die Regel; wird mit der Sitzung gespeichert (Tab, dann Leertaste)</translation>
     </message>
 </context>
 <context>
@@ -7059,6 +7508,10 @@ Neu verbunden: %7</translation>
         <source>both</source>
         <translation>beide</translation>
     </message>
+    <message>
+        <source>both hands</source>
+        <translation>beide Hände</translation>
+    </message>
 </context>
 <context>
     <name>isograsp::gui::StateLight</name>
@@ -7143,6 +7596,14 @@ Neu verbunden: %7</translation>
     <message>
         <source>It is as said above. From now a minute to settle, then the resting force can be measured (Alt+I)</source>
         <translation>Es ist wie oben angegeben. Ab jetzt eine Minute zur Ruhe kommen, dann kann die Ruhekraft gemessen werden (Alt+T)</translation>
+    </message>
+    <message>
+        <source>Both hands &amp;in, as last time</source>
+        <translation>Beide Hände im Gerä&amp;t, wie letztes Mal</translation>
+    </message>
+    <message>
+        <source>Both hands are &amp;in</source>
+        <translation>Beide Hände im Gerä&amp;t</translation>
     </message>
 </context>
 <context>
@@ -7665,6 +8126,22 @@ Neuester Wert %3.%4 Pfeiltasten gehen zum nächsten Bild, Eingabe oder ein Klick
     <message>
         <source>Measuring the empty device</source>
         <translation>Das leere Gerät wird gemessen</translation>
+    </message>
+    <message>
+        <source>Both are empty: set &amp;zeros</source>
+        <translation>Beide leer: &amp;Nullabgleich</translation>
+    </message>
+    <message>
+        <source>Set the zeros of both empty platforms</source>
+        <translation>Nullabgleich beider leeren Plattformen</translation>
+    </message>
+    <message>
+        <source>With no hand in either: one quiet second becomes zero, of both at once (Alt+Z)</source>
+        <translation>Ohne Hand in beiden: eine ruhige Sekunde wird Null, bei beiden zugleich (Alt+Z)</translation>
+    </message>
+    <message>
+        <source>No hand in either, nothing touches the supports?</source>
+        <translation>Keine Hand in beiden, nichts berührt die Auflagen?</translation>
     </message>
 </context>
 </TS>

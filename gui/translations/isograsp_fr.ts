@@ -350,6 +350,22 @@
         <source>Hand, by a script here</source>
         <translation>Main, par un script d’ici</translation>
     </message>
+    <message>
+        <source>Simulated, both healthy</source>
+        <translation>Simulé, les deux saines</translation>
+    </message>
+    <message>
+        <source>Simulated, left hand paretic</source>
+        <translation>Simulé, main gauche parétique</translation>
+    </message>
+    <message>
+        <source>Simulated, right hand paretic</source>
+        <translation>Simulé, main droite parétique</translation>
+    </message>
+    <message>
+        <source>Simulated: %1</source>
+        <translation>Simulé&#xa0;: %1</translation>
+    </message>
 </context>
 <context>
     <name>Flow</name>
@@ -812,6 +828,146 @@
     <message>
         <source>Wait until the entry test is over.</source>
         <translation>Attendez la fin du test d’entrée.</translation>
+    </message>
+    <message>
+        <source>Left platform: %1</source>
+        <translation>Plateforme gauche&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Right platform: %1</source>
+        <translation>Plateforme droite&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Ask the screening questions of each hand before any force.</source>
+        <translation>Posez les questions préalables pour chaque main avant tout effort.</translation>
+    </message>
+    <message>
+        <source>Connecting to both platforms …</source>
+        <translation>Connexion aux deux plateformes …</translation>
+    </message>
+    <message>
+        <source>Choose the platform of each hand.</source>
+        <translation>Choisissez la plateforme de chaque main.</translation>
+    </message>
+    <message>
+        <source>Connect both platforms to begin the session.</source>
+        <translation>Connectez les deux plateformes pour commencer la séance.</translation>
+    </message>
+    <message>
+        <source>Before the hands go in: press the pedal (F9) or the stop key (F10) once, as a test.</source>
+        <translation>Avant d’installer les mains&#xa0;: appuyez une fois sur la pédale (F9) ou la touche d’arrêt (F10), comme essai.</translation>
+    </message>
+    <message>
+        <source>The stop works. Confirm that you stay within reach.</source>
+        <translation>L’arrêt fonctionne. Confirmez que vous restez à portée de main.</translation>
+    </message>
+    <message>
+        <source>Put both hands in and say so; after a minute the resting force begins.</source>
+        <translation>Installez les deux mains et confirmez-le&#xa0;; après une minute la force de repos commence.</translation>
+    </message>
+    <message>
+        <source>Put both hands in and say so; after a minute start the resting force.</source>
+        <translation>Installez les deux mains et confirmez-le&#xa0;; après une minute démarrez la force de repos.</translation>
+    </message>
+    <message>
+        <source>Both zeros are set. Put both hands in again and say so.</source>
+        <translation>Les deux mises à zéro sont faites. Réinstallez les deux mains et confirmez-le.</translation>
+    </message>
+    <message>
+        <source>Both hands are in. They settle: %1 s, then the resting force begins.</source>
+        <translation>Les deux mains sont en place. Elles se stabilisent&#xa0;: %1 s, puis la force de repos commence.</translation>
+    </message>
+    <message>
+        <source>Both hands are in. They settle: %1 s until the resting force.</source>
+        <translation>Les deux mains sont en place. Elles se stabilisent&#xa0;: %1 s jusqu’à la force de repos.</translation>
+    </message>
+    <message>
+        <source>The hands have settled. They relax: start the resting force.</source>
+        <translation>Les mains se sont stabilisées. Elles se détendent&#xa0;: démarrez la force de repos.</translation>
+    </message>
+    <message>
+        <source>The straps have been on for 20 minutes: look at the skin, then confirm that the hands are in.</source>
+        <translation>Les sangles sont en place depuis 20 minutes&#xa0;: regardez la peau, puis confirmez que les mains sont en place.</translation>
+    </message>
+    <message>
+        <source>A platform sends no more forces</source>
+        <translation>Une plateforme n’envoie plus de forces</translation>
+    </message>
+    <message>
+        <source>No forces arrive: check cable and power of both platforms</source>
+        <translation>Aucune force n’arrive&#xa0;: vérifiez le câble et l’alimentation des deux plateformes</translation>
+    </message>
+    <message>
+        <source>Measuring both empty platforms …</source>
+        <translation>Mesure des deux plateformes vides …</translation>
+    </message>
+    <message>
+        <source>Connected, both need their zero</source>
+        <translation>Connectées, mises à zéro à faire</translation>
+    </message>
+    <message>
+        <source>A platform sends no more forces. Disconnect to end the session.</source>
+        <translation>Une plateforme n’envoie plus de forces. Déconnectez pour terminer la séance.</translation>
+    </message>
+    <message>
+        <source>Setting both zeros. Nobody touches the platforms.</source>
+        <translation>Mises à zéro en cours. Personne ne touche les plateformes.</translation>
+    </message>
+    <message>
+        <source>Both platforms connected. Set their zeros with both empty.</source>
+        <translation>Les deux plateformes sont connectées. Faites la mise à zéro, les deux vides.</translation>
+    </message>
+    <message>
+        <source>Take both hands out, then set the zeros of the empty platforms once more.</source>
+        <translation>Retirez les deux mains, puis refaites la mise à zéro des plateformes vides.</translation>
+    </message>
+    <message>
+        <source>The device works again. Both hands let go; if Resume stays closed, stop, set the zeros and repeat the trial.</source>
+        <translation>L’appareil fonctionne de nouveau. Les deux mains relâchent&#xa0;; si « Reprendre » reste fermé, arrêter, mettre à zéro et répéter l’essai.</translation>
+    </message>
+    <message>
+        <source>%1 Next: the maxima of both hands.</source>
+        <translation>%1 Ensuite&#xa0;: les maxima des deux mains.</translation>
+    </message>
+    <message>
+        <source>Resting forces are known.</source>
+        <translation>Les forces de repos sont connues.</translation>
+    </message>
+    <message>
+        <source>The maxima are known. Choose a task and press Start.</source>
+        <translation>Les maxima sont connus. Choisissez une tâche et appuyez sur Démarrer.</translation>
+    </message>
+    <message>
+        <source>Connect both platforms first.</source>
+        <translation>Connectez d’abord les deux plateformes.</translation>
+    </message>
+    <message>
+        <source>Set both zeros first, with both empty.</source>
+        <translation>Faites d’abord la mise à zéro, les deux vides.</translation>
+    </message>
+    <message>
+        <source>Wait until both zeros are set.</source>
+        <translation>Attendez la fin des deux mises à zéro.</translation>
+    </message>
+    <message>
+        <source>Set the zeros of the empty platforms once more.</source>
+        <translation>Refaites la mise à zéro des plateformes vides.</translation>
+    </message>
+    <message>
+        <source>Press the pedal (F9) or F10 once, as a test.</source>
+        <translation>Appuyez une fois sur la pédale (F9) ou F10, comme essai.</translation>
+    </message>
+    <message>
+        <source>Confirm first that you stay within reach.</source>
+        <translation>Confirmez d’abord que vous restez à portée de main.</translation>
+    </message>
+    <message>
+        <source>Say first that both hands are in.</source>
+        <translation>Confirmez d’abord que les deux mains sont en place.</translation>
+    </message>
+    <message>
+        <source>The hands settle: %1 s.</source>
+        <translation>Les mains se stabilisent&#xa0;: %1 s.</translation>
     </message>
 </context>
 <context>
@@ -3183,6 +3339,142 @@
     </message>
 </context>
 <context>
+    <name>isograsp::gui::BothHandsPanel</name>
+    <message>
+        <source>No share: the affected side is not on record.</source>
+        <translation>Pas de part&#xa0;: le côté atteint n’est pas enregistré.</translation>
+    </message>
+    <message>
+        <source>Shares are above rest: measure the resting forces first.</source>
+        <translation>Les parts sont au-dessus du repos&#xa0;: mesurez d’abord les forces de repos.</translation>
+    </message>
+    <message>
+        <source>Share: both hands rest.</source>
+        <translation>Part&#xa0;: les deux mains se reposent.</translation>
+    </message>
+    <message>
+        <source>Share of the affected hand (left) &lt;b&gt;%1 %&lt;/b&gt;</source>
+        <translation>Part de la main atteinte (gauche) &lt;b&gt;%1 %&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>Share of the affected hand (right) &lt;b&gt;%1 %&lt;/b&gt;</source>
+        <translation>Part de la main atteinte (droite) &lt;b&gt;%1 %&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>%1 · of effort &lt;b&gt;%2 %&lt;/b&gt;</source>
+        <translation>%1 · de l’effort &lt;b&gt;%2 %&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>Live forces of both hands</source>
+        <translation>Forces des deux mains en direct</translation>
+    </message>
+    <message>
+        <source>Grip: the smaller of the thumb and the two fingers together; above rest below it</source>
+        <translation>Prise&#xa0;: la plus petite valeur entre le pouce et les deux doigts ensemble&#xa0;; dessous, au-dessus du repos</translation>
+    </message>
+    <message>
+        <source>Mean of the last second above each hand&apos;s rest; of effort: each as a part of its maximum. It also rises when the other hand weakens: look at both forces</source>
+        <translation>Moyenne de la dernière seconde au-dessus du repos de chaque main&#xa0;; de l’effort&#xa0;: chacune en part de son maximum. Elle augmente aussi quand l’autre main faiblit&#xa0;: regardez les deux forces</translation>
+    </message>
+    <message>
+        <source>Grip forces of the last 20 seconds</source>
+        <translation>Forces de prise des 20 dernières secondes</translation>
+    </message>
+    <message>
+        <source>Left L, right R, both L+R, and what is asked of them dashed; the values stand above</source>
+        <translation>Gauche G, droite D, les deux G+D, en tirets ce qui est demandé&#xa0;; les valeurs sont au-dessus</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Gauche</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Droite</translation>
+    </message>
+    <message>
+        <source>%1, affected</source>
+        <translation>%1, atteinte</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>above rest %1 N</source>
+        <translation>sur repos %1 N</translation>
+    </message>
+    <message>
+        <source>Left platform: %1</source>
+        <translation>Plateforme gauche&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Right platform: %1</source>
+        <translation>Plateforme droite&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Left %1</source>
+        <comment>a finger</comment>
+        <translation>Gauche, %1</translation>
+    </message>
+    <message>
+        <source>Right %1</source>
+        <comment>a finger</comment>
+        <translation>Droite, %1</translation>
+    </message>
+    <message>
+        <source>%1 %2 N</source>
+        <translation>%1 %2 N</translation>
+    </message>
+    <message>
+        <source>%1, no force yet</source>
+        <translation>%1, pas encore de force</translation>
+    </message>
+    <message>
+        <source>lost %1, damaged %2</source>
+        <translation>perdus %1, abîmés %2</translation>
+    </message>
+    <message>
+        <source>no forces yet</source>
+        <translation>pas encore de forces</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::BothScreeningForm</name>
+    <message>
+        <source>Left hand</source>
+        <translation>Main gauche</translation>
+    </message>
+    <message>
+        <source>Right hand</source>
+        <translation>Main droite</translation>
+    </message>
+    <message>
+        <source>✓ %1</source>
+        <translation>✓ %1</translation>
+    </message>
+    <message>
+        <source>%1: answered</source>
+        <translation>%1&#xa0;: répondu</translation>
+    </message>
+    <message>
+        <source>%1: to be asked</source>
+        <translation>%1&#xa0;: à demander</translation>
+    </message>
+    <message>
+        <source>The questions of this hand (Tab, then space)</source>
+        <translation>Les questions de cette main (Tab, puis Espace)</translation>
+    </message>
+    <message>
+        <source>For both hands holds: %1.</source>
+        <translation>Pour les deux mains vaut&#xa0;: %1.</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::CamerasDialog</name>
     <message>
         <source>Cameras</source>
@@ -3692,6 +3984,43 @@ Perdues&#xa0;: %5
 Endommagées&#xa0;: %6
 Reconnecté&#xa0;: %7</translation>
     </message>
+    <message>
+        <source>Platform of the left hand</source>
+        <translation>Plateforme de la main gauche</translation>
+    </message>
+    <message>
+        <source>Platform of the right hand</source>
+        <translation>Plateforme de la main droite</translation>
+    </message>
+    <message>
+        <source>Platform to be checked</source>
+        <translation>Plateforme à vérifier</translation>
+    </message>
+    <message>
+        <source>Which of the two platforms (Tab, arrow keys)</source>
+        <translation>Laquelle des deux plateformes (Tab, flèches)</translation>
+    </message>
+    <message>
+        <source>Both platforms</source>
+        <translation>Les deux plateformes</translation>
+    </message>
+    <message>
+        <source>left platform, %1</source>
+        <translation>plateforme gauche, %1</translation>
+    </message>
+    <message>
+        <source>right platform, %1</source>
+        <translation>plateforme droite, %1</translation>
+    </message>
+    <message>
+        <source>What the sensors counted, left / right</source>
+        <translation>Ce que les capteurs ont compté, gauche / droite</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <comment>samples of the left and of the right platform</comment>
+        <translation>%1 / %2</translation>
+    </message>
 </context>
 <context>
     <name>isograsp::gui::EntryForm</name>
@@ -4184,6 +4513,32 @@ Reconnecté&#xa0;: %7</translation>
     <message>
         <source>Nothing applies, no &amp;pain</source>
         <translation>Rien à signaler, pas de dou&amp;leur</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::HandsPlot</name>
+    <message>
+        <source>Time before now (s)</source>
+        <translation>Temps avant maintenant (s)</translation>
+    </message>
+    <message>
+        <source>Grip force (N)</source>
+        <translation>Force de prise (N)</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <comment>left hand, at the end of its curve</comment>
+        <translation>G</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <comment>right hand, at the end of its curve</comment>
+        <translation>D</translation>
+    </message>
+    <message>
+        <source>L+R</source>
+        <comment>both hands, at the end of their curve</comment>
+        <translation>G+D</translation>
     </message>
 </context>
 <context>
@@ -5180,6 +5535,29 @@ Reconnecté&#xa0;: %7</translation>
     </message>
 </context>
 <context>
+    <name>isograsp::gui::PlatformsForm</name>
+    <message>
+        <source>Platform of the left hand</source>
+        <translation>Plateforme de la main gauche</translation>
+    </message>
+    <message>
+        <source>Platform of the right hand</source>
+        <translation>Plateforme de la main droite</translation>
+    </message>
+    <message>
+        <source>What is present now, and a simulated person (Tab, then arrow keys)</source>
+        <translation>Ce qui est présent, et une personne simulée (Tab, puis flèches)</translation>
+    </message>
+    <message>
+        <source>Left platform</source>
+        <translation>Plateforme gauche</translation>
+    </message>
+    <message>
+        <source>Right platform</source>
+        <translation>Plateforme droite</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::PostureDesk</name>
     <message>
         <source>Not recorded: the arm moved by %1 mm (SD). Hold it still.</source>
@@ -5616,6 +5994,38 @@ Reconnecté&#xa0;: %7</translation>
     <message>
         <source>opens %1 mm</source>
         <translation>s’ouvre de %1 mm</translation>
+    </message>
+    <message>
+        <source>Hands today</source>
+        <translation>Mains du jour</translation>
+    </message>
+    <message>
+        <source>Platforms</source>
+        <translation>Plateformes</translation>
+    </message>
+    <message>
+        <source>Zeros, both empty</source>
+        <translation>Zéros, à vide</translation>
+    </message>
+    <message>
+        <source>Hands in</source>
+        <translation>Mains en place</translation>
+    </message>
+    <message>
+        <source>Both, on two platforms</source>
+        <translation>Les deux, sur deux plateformes</translation>
+    </message>
+    <message>
+        <source>Both hands, on two platforms</source>
+        <translation>Les deux mains, sur deux plateformes</translation>
+    </message>
+    <message>
+        <source>Each hand on a platform of its own: asked in every session (Tab, then space)</source>
+        <translation>Chaque main sur sa plateforme&#xa0;: demandé à chaque séance (Tab, puis Espace)</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>les deux</translation>
     </message>
 </context>
 <context>
@@ -6329,6 +6739,45 @@ Reconnecté&#xa0;: %7</translation>
     <message>
         <source>The patient&apos;s screen shows how a healthy arm does this task (F7, Alt+W)</source>
         <translation>L’écran du patient montre comment un bras sain fait cette tâche (F7, Alt+W)</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::SafetyForm</name>
+    <message>
+        <source>✓ The stop was pressed, and works.</source>
+        <translation>✓ L’arrêt a été pressé et fonctionne.</translation>
+    </message>
+    <message>
+        <source>Press the pedal (F9) or the stop key (F10) once, as a test.</source>
+        <translation>Appuyez une fois sur la pédale (F9) ou la touche d’arrêt (F10), comme essai.</translation>
+    </message>
+    <message>
+        <source>✓ I stay within reach</source>
+        <translation>✓ Je reste à portée de main</translation>
+    </message>
+    <message>
+        <source>I stay within reach</source>
+        <translation>Je reste à portée de main</translation>
+    </message>
+    <message>
+        <source>As long as hands are strapped you can free them at any time; stored with the session (Tab, then space)</source>
+        <translation>Tant que des mains sont sanglées, vous pouvez les libérer à tout moment&#xa0;; enregistré avec la séance (Tab, puis Espace)</translation>
+    </message>
+    <message>
+        <source>The less affected hand lies unstrapped in its supports, so that it can help.</source>
+        <translation>La main moins atteinte repose sans sangles sur ses appuis, pour pouvoir aider.</translation>
+    </message>
+    <message>
+        <source>It is strapped, too</source>
+        <translation>Elle est sanglée aussi</translation>
+    </message>
+    <message>
+        <source>The less affected hand is strapped, too</source>
+        <translation>La main moins atteinte est sanglée aussi</translation>
+    </message>
+    <message>
+        <source>Against the rule; stored with the session (Tab, then space)</source>
+        <translation>Contre la règle&#xa0;; enregistré avec la séance (Tab, puis Espace)</translation>
     </message>
 </context>
 <context>
@@ -7059,6 +7508,10 @@ Reconnecté&#xa0;: %7</translation>
         <source>both</source>
         <translation>les deux</translation>
     </message>
+    <message>
+        <source>both hands</source>
+        <translation>les deux mains</translation>
+    </message>
 </context>
 <context>
     <name>isograsp::gui::StateLight</name>
@@ -7143,6 +7596,14 @@ Reconnecté&#xa0;: %7</translation>
     <message>
         <source>It is as said above. From now a minute to settle, then the resting force can be measured (Alt+I)</source>
         <translation>C’est comme indiqué ci-dessus. Dès maintenant une minute de stabilisation, puis la force de repos peut être mesurée (Alt+E)</translation>
+    </message>
+    <message>
+        <source>Both hands &amp;in, as last time</source>
+        <translation>Les deux mains &amp;en place, comme la dernière fois</translation>
+    </message>
+    <message>
+        <source>Both hands are &amp;in</source>
+        <translation>Les deux mains &amp;en place</translation>
     </message>
 </context>
 <context>
@@ -7665,6 +8126,22 @@ Dernière valeur %3.%4 Les flèches passent à l’image suivante, Entrée ou un
     <message>
         <source>Measuring the empty device</source>
         <translation>Mesure de l’appareil vide</translation>
+    </message>
+    <message>
+        <source>Both are empty: set &amp;zeros</source>
+        <translation>Les deux vides&#xa0;: mise à &amp;zéro</translation>
+    </message>
+    <message>
+        <source>Set the zeros of both empty platforms</source>
+        <translation>Mise à zéro des deux plateformes vides</translation>
+    </message>
+    <message>
+        <source>With no hand in either: one quiet second becomes zero, of both at once (Alt+Z)</source>
+        <translation>Sans main dans aucune&#xa0;: une seconde calme devient zéro, des deux à la fois (Alt+Z)</translation>
+    </message>
+    <message>
+        <source>No hand in either, nothing touches the supports?</source>
+        <translation>Pas de main, rien ne touche les appuis des deux&#xa0;?</translation>
     </message>
 </context>
 </TS>

@@ -250,7 +250,16 @@ const char* disagreement(const FlowFacts& facts, const FlowView& view) {
   if (!is(NextPress::device, view.may_change_device, Step::device)) return "device";
   if (!is(NextPress::connect, view.may_connect, Step::device)) return "connect";
   if (!is(NextPress::zero, view.may_zero, Step::zero)) return "zero";
+  if (!is(NextPress::reach, view.may_promise_reach, Step::rest)) return "reach";
   if (!is(NextPress::strap, view.may_strap, Step::rest)) return "strap";
+  // Both hands.
+  const bool free_at_once = facts.stop_tested && facts.within_reach;
+  if (facts.both_hands && begins && !(facts.strapped && free_at_once))
+    return "Start of both hands that nobody can free at once, or that are not in";
+  if (facts.both_hands && view.may_strap && !free_at_once)
+    return "hands go in before the stop was tested and somebody stays";
+  if (view.situation == Situation::test_stop && !view.may_test_stop)
+    return "a test is asked for that counts for nothing";
   if (!is(NextPress::picture, view.may_watch_picture, Step::work)) return "picture";
   if (!is(NextPress::report, view.offers_end, std::nullopt)) return "report";
   if (view.press == NextPress::start &&
@@ -370,11 +379,60 @@ void before_cameras(Judge& judge) {
         });
 }
 
+/// How far it is made sure of that both hands are free at once; none goes in before.
+void safeties(FlowFacts& facts, const std::function<void()>& then) {
+  for (const auto& [tested, stays] : {std::pair{false, false}, {true, false}, {true, true}}) {
+    facts.stop_tested = tested;
+    facts.within_reach = stays;
+    if (facts.strapped && !(tested && stays)) continue;
+    then();
+  }
+}
+
+/// Whose fault or restart it is; after health and zero.
+void sides(FlowFacts& facts, const std::function<void()>& then) {
+  if (facts.health.fault == DeviceFault::none && !facts.restarted) {
+    facts.health_side = facts.restarted_side = std::nullopt;
+    return then();
+  }
+  for (const Hand hand : {Hand::left, Hand::right}) {
+    facts.health_side = facts.restarted_side = hand;
+    then();
+  }
+}
+
+/// Both hands, each on a platform.
+void on_two_platforms(Judge& judge) {
+  FlowFacts facts = with_database();
+  facts.connection = Connection::open;
+  facts.patient_chosen = facts.hand_chosen = facts.screened = facts.device_chosen = true;
+  facts.both_hands = true;
+  std::set<std::tuple<Situation, DeviceCondition, Hand>> told;
+  every(facts,
+        {zeros, stages, healths, sides, arrivals, flag(&FlowFacts::starting), straps, safeties,
+         tasks, text(&FlowFacts::stop_reason), protocols},
+        [&](const FlowFacts& now) {
+          if (now.recorded) return;  // there is no recording of both
+          judge.look(now);
+          const FlowView seen = isograsp::gui::judge(now);
+          const Hand side = now.health_side.value_or(Hand::left);
+          if (!told.insert({seen.situation, seen.device, side}).second) return;
+          const FlowView view = decide(now);
+          if (seen.device == DeviceCondition::faulted || seen.device == DeviceCondition::outdated) {
+            EXPECT_EQ(
+                view.device_words.find(side == Hand::left ? "Left platform: " : "Right platform: "),
+                0u)
+                << view.device_words;
+          }
+        });
+}
+
 TEST(HonestScreen, LightSentenceAndStepsAgreeForAllFacts) {
   Judge judge;
   before_a_session(judge);
   in_a_session(judge);
   before_cameras(judge);
+  on_two_platforms(judge);
   EXPECT_EQ(judge.situations().size(), kSituationCount) << "every situation was met";
   std::printf("combinations of facts: %ld\n", judge.seen());
 }

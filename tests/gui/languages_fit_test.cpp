@@ -126,6 +126,33 @@ TEST_P(ArmPage, CutsNoTextOff) {
   EXPECT_GT(seen, 100);
 }
 
+/// So it does with both hands, each on a platform.
+class BothPage : public FilledWindow, public ::testing::WithParamInterface<const char*> {
+ protected:
+  BothPage() : FilledWindow(GetParam(), 100) {
+    windows_->presenter().choices().choose_both_hands();
+    windows_->therapist().show_page(TherapistWindow::Page::session);
+  }
+};
+INSTANTIATE_TEST_SUITE_P(, BothPage, ::testing::ValuesIn(test::every_language()),
+                         test::code_of_language);
+
+TEST_P(BothPage, CutsNoTextOff) {
+  auto& window = windows_->therapist();
+  auto& page = *window.findChild<QStackedWidget*>("pages")->currentWidget();
+  int seen = 0;
+  for (auto* section : page.findChildren<StepSection*>()) {
+    section->open(true);
+    show_hidden_controls(page);
+    EXPECT_TRUE(laid_out(window));
+    EXPECT_EQ(cut_texts(window, "session", seen), std::set<std::string>{});
+    section->open(false);
+  }
+  EXPECT_TRUE(widget_called<QWidget>("platforms_left", window)
+                  .isVisibleTo(widget_called<QWidget>("platforms_left", window).parentWidget()));
+  EXPECT_GT(seen, 100);
+}
+
 /// The form of postures stands in the place of a text.
 class PosturesOfTheLibrary : public FilledWindow,
                              public ::testing::WithParamInterface<const char*> {

@@ -121,6 +121,32 @@ class Operator {
     ASSERT_TRUE(wait_until(set)) << windows_.presenter().flow().view().sentence;
   }
 
+  /// From an empty window to two platforms with their zeros; tasks are chosen one by one, or as the
+  /// protocol says.
+  void prepare_both(const QString& uri, bool one_by_one = true) const {
+    add_patient();
+    press("hand_both");
+    press("left_screening_clear");
+    press("right_screening_clear");
+    if (one_by_one) windows_.presenter().choices().choose_protocol(std::nullopt);
+    choose_platform("platforms_left", uri);
+    press("connect");
+    set_zero();
+  }
+  void choose_platform(const char* list, const QString& uri) const {
+    auto& platforms = find<QListWidget>(list);
+    for (int row = 0; row < platforms.count(); ++row)
+      if (platforms.item(row)->data(Qt::UserRole).toString() == uri)
+        return platforms.setCurrentRow(row);
+    FAIL() << uri.toStdString() << " is not offered";
+  }
+  /// The stop is tested, somebody stays, both hands are in.
+  void put_both_in() const {
+    QTest::keyClick(&windows_.therapist(), Qt::Key_F10);
+    press("within_reach");
+    press("strapped");
+  }
+
   /// The hand is in and has settled: the resting force can begin.
   void strap_in() const {
     press("strapped");

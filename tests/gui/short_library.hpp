@@ -85,6 +85,30 @@ inline std::string make_hand_library(const TemporaryFolder& folder, int placemen
   return library;
 }
 
+/// Makes two hands rest for 1.5 s, squeeze with a second between, and follow for `follow_s`; their
+/// short protocol is the usual one.
+inline void shorten_two_hands(const std::filesystem::path& library, const char* follow_s) {
+  const auto tasks = library / "tasks";
+  put_everywhere(tasks / "two_hands_rest.toml", "duration_s", "1.5");
+  for (const char* key : {"lead_in_s", "rest_s"})
+    put_everywhere(tasks / "two_hands_maximum.toml", key, "1");
+  for (const char* task : {"two_hands_sum.toml", "two_hands_each.toml"}) {
+    put_everywhere(tasks / task, "duration_s", follow_s);
+    put_everywhere(tasks / task, "frequency_Hz", "1");
+  }
+  const auto protocols = library / "protocols";
+  put_everywhere(protocols / "two_hands_short.toml", "rest_s", "1");
+  std::filesystem::rename(protocols / "two_hands_short.toml",
+                          protocols / "two_hands_assessment.toml");
+}
+
+/// The shipped library with them.
+inline std::string make_two_hands_library(const TemporaryFolder& folder) {
+  const std::string library = make_short_library(folder, "3");
+  shorten_two_hands(library, "3");
+  return library;
+}
+
 /// Makes every rest in a protocol of that library one second long.
 inline void shorten_rests(const std::string& library, const char* protocol) {
   put_everywhere(std::filesystem::path(library) / "protocols" / protocol, "rest_s", "1");

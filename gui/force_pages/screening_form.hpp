@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The screening on one screen: what applies, pain, and the therapist's decision. Where nothing
-// applies one press answers all.
+// applies one press answers all. Of one hand that works, or of one of both.
 #pragma once
 
 #include <QCheckBox>
@@ -20,7 +20,10 @@ class ScreeningForm final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit ScreeningForm(SessionPresenter& presenter, QWidget* parent = nullptr);
+  /// `of`: of which of both hands, whose form is shown by who owns it; nothing: one hand works.
+  explicit ScreeningForm(SessionPresenter& presenter, std::optional<Hand> of = std::nullopt,
+                         QWidget* parent = nullptr);
+  void show_form(bool shown);
 
  private:
   void make_questions(QVBoxLayout& column);
@@ -28,8 +31,11 @@ class ScreeningForm final : public QWidget {
   void make_limit(QVBoxLayout& column);
   void refresh();
   void answer(Screening answers);
+  [[nodiscard]] QString name_of_part(const QString& part) const;
+  [[nodiscard]] const Screening& answers() const;
 
   SessionPresenter& presenter_;
+  std::optional<Hand> of_;
   QPushButton* nothing_;
   std::array<QCheckBox*, kCautionCount> cautions_{};
   ScoreRow* pain_;

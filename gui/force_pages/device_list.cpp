@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gui/session_pages/device_list.hpp"
+#include "gui/force_pages/device_list.hpp"
 
 #include <QCoreApplication>
 #include <QString>
@@ -7,6 +7,9 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <utility>
+
+#include "session/open_two_platforms.hpp"
 
 namespace isograsp::gui {
 
@@ -35,15 +38,48 @@ std::vector<std::string> can_interfaces(const std::string& network_folder) {
   return names;
 }
 
-}  // namespace
-
-std::vector<DeviceChoice> list_devices(const std::string& preset,
-                                       const std::string& network_folder) {
+std::vector<DeviceChoice> sensors_on_can(const std::string& network_folder) {
   std::vector<DeviceChoice> choices;
   for (const auto& name : can_interfaces(network_folder))
     choices.push_back(
         {text(DeviceListTexts::tr("Force sensors on %1").arg(QString::fromStdString(name))),
          "can://" + name + "?protocol=rft"});
+  return choices;
+}
+
+std::vector<DeviceChoice> with_preset(std::vector<DeviceChoice> choices,
+                                      const std::string& preset) {
+  if (preset.empty()) return choices;
+  const auto known = std::find_if(choices.begin(), choices.end(),
+                                  [&](const DeviceChoice& c) { return c.uri == preset; });
+  if (known == choices.end())
+    choices.insert(choices.begin(), {preset, preset});
+  else
+    std::rotate(choices.begin(), known, known + 1);
+  return choices;
+}
+
+/// Of a person in software, by the name of its file.
+QString words_of_pair(const std::string& name) {
+  if (name == "healthy") return DeviceListTexts::tr("Simulated, both healthy");
+  if (name == "paretic_left") return DeviceListTexts::tr("Simulated, left hand paretic");
+  if (name == "paretic_right") return DeviceListTexts::tr("Simulated, right hand paretic");
+  return DeviceListTexts::tr("Simulated: %1").arg(QString::fromStdString(name));
+}
+
+}  // namespace
+
+std::vector<DeviceChoice> list_platforms(const std::string& preset, const std::string& library,
+                                         const std::string& network_folder) {
+  std::vector<DeviceChoice> choices = sensors_on_can(network_folder);
+  for (const std::string& name : session::simulated_pairs(library))
+    choices.push_back({text(words_of_pair(name)), "sim://pair?file=" + name + "&seed=7"});
+  return with_preset(std::move(choices), preset);
+}
+
+std::vector<DeviceChoice> list_devices(const std::string& preset,
+                                       const std::string& network_folder) {
+  std::vector<DeviceChoice> choices = sensors_on_can(network_folder);
   choices.push_back(
       {text(DeviceListTexts::tr("Simulated patient, healthy")), "sim://healthy?seed=7"});
   choices.push_back(
@@ -62,14 +98,7 @@ std::vector<DeviceChoice> list_devices(const std::string& preset,
                      "sim://hand?user=healthy&seed=7"});
   choices.push_back({text(DeviceListTexts::tr("Simulated tracked hand, paretic")),
                      "sim://hand?user=paretic&seed=7"});
-  if (preset.empty()) return choices;
-  const auto known = std::find_if(choices.begin(), choices.end(),
-                                  [&](const DeviceChoice& c) { return c.uri == preset; });
-  if (known == choices.end())
-    choices.insert(choices.begin(), {preset, preset});
-  else
-    std::rotate(choices.begin(), known, known + 1);
-  return choices;
+  return with_preset(std::move(choices), preset);
 }
 
 std::string recording_uri(const std::string& path) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gui/session_pages/live_panel.hpp"
+#include "gui/force_pages/live_panel.hpp"
 
 #include <QHBoxLayout>
 #include <QLocale>
 #include <QPainter>
 #include <algorithm>
 
+#include "gui/force_pages/compensation_words.hpp"
 #include "gui/look/look.hpp"
-#include "gui/session_pages/compensation_words.hpp"
 #include "gui/words/words.hpp"
 
 namespace isograsp::gui {
@@ -146,7 +146,7 @@ LivePanel::LivePanel(SessionPresenter& presenter, const SettingsFile& settings, 
   connect(all_, &QPushButton::toggled, channels_, &QWidget::setVisible);
   const auto show_for_forces = [this] {
     const SessionState& state = presenter_.state();
-    show_part(*this, !state.measures_arm() && !state.measures_hand());
+    show_part(*this, !state.measures_arm() && !state.measures_hand() && !measures_both(state));
   };
   connect(&presenter_.flow(), &SessionFlow::changed, this, show_for_forces);
   show_for_forces();

@@ -5,10 +5,10 @@
 #include <QPushButton>
 #include <array>
 
+#include "gui/force_pages/channel_table.hpp"
 #include "gui/look/card.hpp"
 #include "gui/look/plot_view.hpp"
 #include "gui/presenter/session_presenter.hpp"
-#include "gui/session_pages/channel_table.hpp"
 
 namespace isograsp::gui {
 

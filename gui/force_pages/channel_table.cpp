@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gui/session_pages/channel_table.hpp"
+#include "gui/force_pages/channel_table.hpp"
 
 #include <QHeaderView>
 #include <QLocale>

@@ -21,6 +21,12 @@ struct DeviceChoice {
 [[nodiscard]] std::vector<DeviceChoice> list_devices(
     const std::string& preset, const std::string& network_folder = "/sys/class/net");
 
+/// The platforms of one of two hands: CAN interfaces, and people in software (`library` knows
+/// them), which have both. `preset` (may be empty) stands first.
+[[nodiscard]] std::vector<DeviceChoice> list_platforms(
+    const std::string& preset, const std::string& library,
+    const std::string& network_folder = "/sys/class/net");
+
 /// replay://… of a file, with the characters escaped that a URI keeps for itself.
 [[nodiscard]] std::string recording_uri(const std::string& path);
 

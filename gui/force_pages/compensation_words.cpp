@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gui/session_pages/compensation_words.hpp"
+#include "gui/force_pages/compensation_words.hpp"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The platform of each hand, chosen from what is present.
+#pragma once
+
+#include <QListWidget>
+#include <QWidget>
+
+#include "gui/presenter/session_presenter.hpp"
+
+namespace isograsp::gui {
+
+class PlatformsForm final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PlatformsForm(SessionPresenter& presenter, QWidget* parent = nullptr);
+
+ private:
+  void fill();
+  void refresh();
+
+  SessionPresenter& presenter_;
+  OfHands<QListWidget*> lists_;
+  OfHands<std::string> filled_;  ///< with what was chosen before standing first
+};
+
+}  // namespace isograsp::gui

@@ -38,6 +38,10 @@ inline constexpr Column sum_force_shown =
     plain("sum_force_shown", "1: the force of both hands together was on the screen"_text);
 inline constexpr Column affected_hand =
     plain("affected_hand", "Affected side: 0 left, 1 right; empty: not known, both or none"_text);
+/// Of the empty platforms, before the work.
+inline constexpr Column platforms_coupled = plain(
+    "platforms_coupled",
+    "1: pressing one empty platform moved the other by more than 1 %; 0: not; empty: not checked"_text);
 /// Between the samples that completed the frames of both platforms.
 inline constexpr Column skew_s = plain(
     "skew_s", "Newest sample of the right platform later than that of the left by so much"_text);

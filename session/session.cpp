@@ -222,6 +222,10 @@ void let_go(Session& session) {
   (void)session.parts_->send({.kind = Command::Kind::let_go});
 }
 
+void platforms_checked(Session& session, bool coupled) noexcept {
+  session.parts_->known.two_hands.coupled = coupled;
+}
+
 const ArmSnapshot* arm_of(Session& session) noexcept {
   // What an arm publishes is one (MarkerArm::newest).
   return session.known().arm ? static_cast<const ArmSnapshot*>(&session.moment()) : nullptr;

@@ -190,12 +190,17 @@ class Session {
   struct Opening;
   explicit Session(std::unique_ptr<Parts> parts);
   friend void let_go(Session& session);
+  friend void platforms_checked(Session& session, bool coupled) noexcept;
   std::unique_ptr<Parts> parts_;
 };
 
 /// The object on the screen is let go for the tracked hand that holds it: its placement ends, is
 /// marked helped and is no drop. Nothing happens where there is none. Owner thread.
 void let_go(Session& session);
+
+/// Two empty platforms were checked: whether one moves the other. Trials from now on have it beside
+/// their rows, and no shares where it does. Owner thread.
+void platforms_checked(Session& session, bool coupled) noexcept;
 
 /// Newest state with all that is known of an arm seen by markers; null: it is something else.
 /// Wait-free. Owner thread.

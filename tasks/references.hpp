@@ -54,6 +54,8 @@ struct HandReferences {
 struct TwoHandsReferences {
   OfHands<HandReferences> of;
   std::optional<Hand> affected;  ///< nothing: not known, both or neither
+  /// Pressing one empty platform moves the other: there are no shares. Nothing: not checked.
+  std::optional<bool> coupled;
 };
 
 /// Half the width of the band round a target [N]: max(fraction |T|, 3 noise SD) (docs/measures.md).

@@ -33,6 +33,8 @@ struct TwoHandsContext {
   /// Taken off the forces before they are compared. Nothing: they are taken as they stand; nothing
   /// of a hand: it was not measured, and there are no shares.
   std::optional<OfHands<std::optional<double>>> resting_N = std::nullopt;
+  /// The platforms move each other: there are no shares.
+  bool coupled = false;
 };
 
 /// Two hands that press at the same time: `left_force_N`, `right_force_N`, and where they are there
@@ -46,7 +48,8 @@ struct TwoHandsContext {
 /// The same over the rows of `phases`; none: the whole record. @pre both forces are columns of it
 [[nodiscard]] std::vector<Measure> score_hands(const Record& record, const TwoHandsContext& context,
                                                std::initializer_list<Phase> phases);
-/// What a trial of a session stores beside its signals: affected side, maxima, resting forces.
+/// What a trial of a session stores beside its signals: affected side, maxima, resting forces, and
+/// whether its platforms move each other.
 [[nodiscard]] TwoHandsContext hands_context(const Record& record);
 
 }  // namespace isograsp::tasks

@@ -21,6 +21,7 @@ namespace isograsp::tasks {
 
 namespace {
 
+constexpr Words kCoupled = "one platform moves the other: mount them apart"_text;
 constexpr Words kNobodysSide = "it is not known which side is affected"_text;
 
 class TwoHandsScorer {
@@ -81,6 +82,10 @@ class TwoHandsScorer {
     if (!context_.affected) {
       share = {kNobodysSide, kNobodysSide};
       effort = kNobodysSide;
+    }
+    if (context_.coupled) {
+      share = {kCoupled, kCoupled};
+      effort = kCoupled;
     }
     add("share_affected", "%", both_, share.affected_percent);
     add("asymmetry", "%", both_, share.asymmetry_percent);
@@ -201,6 +206,7 @@ TwoHandsContext hands_context(const Record& record) {
   context.affected.reset();
   if (const auto side = record.constant(columns::affected_hand))
     context.affected = *side == 0.0 ? Hand::left : Hand::right;
+  context.coupled = record.constant(columns::platforms_coupled).value_or(0.0) != 0.0;
   context.resting_N.emplace();
   for (const Hand hand : kBothHands) {
     context.maximum_N[hand] = record.constant(columns::hand_maximum_force_N[hand]);

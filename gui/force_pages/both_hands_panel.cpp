@@ -32,6 +32,8 @@ QString losses(const DeviceHealth& health) {
 QString share_words(const HandsLive& live, const tasks::TwoHandsReferences& references) {
   if (!references.affected)
     return BothHandsPanel::tr("No share: the affected side is not on record.");
+  if (references.coupled.value_or(false))
+    return BothHandsPanel::tr("No share: the platforms move each other.");
   if (!references.of.left.resting_N || !references.of.right.resting_N)
     return BothHandsPanel::tr("Shares are above rest: measure the resting forces first.");
   if (!live.share_affected_percent) return BothHandsPanel::tr("Share: both hands rest.");

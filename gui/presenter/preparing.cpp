@@ -88,6 +88,41 @@ void Preparing::look_at_picture() {
   Q_EMIT flow_.changed();
 }
 
+void Preparing::check_platforms() {
+  if (!flow_.view().may_check_platforms) return;
+  CrossTalkCheck& check = state_.open->crosstalk;
+  if (check.running())
+    check.stop();
+  else
+    check.begin();
+  flow_.update();
+}
+
+void Preparing::skip_platforms_check() {
+  if (!flow_.view().may_check_platforms || state_.open->crosstalk.settled()) return;
+  state_.open->crosstalk.skip();
+  store_platforms_check();
+  flow_.update();
+}
+
+void Preparing::look_at_platforms() {
+  OpenSession& open = *state_.open;
+  CrossTalkCheck& check = open.crosstalk;
+  if (!open.both || !check.running()) return;
+  if (!flow_.view().may_check_platforms) check.stop();  // a zero is set, or a platform fails
+  if (!check.add(*open.both)) return;
+  if (check.settled()) store_platforms_check();
+  Q_EMIT flow_.changed();
+}
+
+void Preparing::store_platforms_check() {
+  OpenSession& open = *state_.open;
+  if (const auto coupled = open.crosstalk.coupled())
+    session::platforms_checked(*open.session, *coupled);
+  if (auto taken = open.session->answer(stored(open.crosstalk)); !taken)
+    flow_.refuse(taken.error());
+}
+
 void Preparing::stay_within_reach(bool stays) {
   if (!flow_.view().may_promise_reach) return;
   state_.open->preparation.safety.within_reach = stays;
@@ -132,6 +167,7 @@ void Preparing::mark_strapped() {
 void Preparing::look() {
   OpenSession& open = *state_.open;
   look_at_picture();
+  look_at_platforms();
   open.compensation.add(open.snapshot);
   for (const Finger finger : kFingers) {
     const auto shift_m = open.compensation.pad_shift_m(finger);

@@ -17,6 +17,10 @@ class Preparing {
   void set_zero(bool accept_changed = false);
   /// Begins to look whether the picture of an arm moves as the arm does; called again, it stops.
   void check_picture();
+  /// Of both hands: begins to find out whether one empty platform moves the other; called again, it
+  /// stops.
+  void check_platforms();
+  void skip_platforms_check();
   /// Of both hands: the therapist stays where they can free them; or takes it back.
   void stay_within_reach(bool stays);
   /// Of both hands: the less affected one is strapped, too, or lies in its supports.
@@ -31,6 +35,8 @@ class Preparing {
 
  private:
   void look_at_picture();
+  void look_at_platforms();
+  void store_platforms_check();
 
   SessionState& state_;
   SessionFlow& flow_;

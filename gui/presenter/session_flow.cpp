@@ -56,6 +56,8 @@ void add_both_facts(const OpenSession& open, FlowFacts& facts) {
   const HandsSafety& safety = open.preparation.safety;
   facts.health_side = fault_side(*open.both);
   facts.restarted_side = restarted_side(*open.both);
+  facts.platforms_checked = open.crosstalk.settled();
+  facts.platforms_pressed = open.crosstalk.running();
   facts.stop_tested = safety.stop_tested;
   facts.within_reach = safety.within_reach;
   if (open.trial)

@@ -23,6 +23,7 @@
 #include "gui/presenter/gui_config.hpp"
 #include "gui/rules/arm_live.hpp"
 #include "gui/rules/arm_screening.hpp"
+#include "gui/rules/crosstalk_check.hpp"
 #include "gui/rules/flow.hpp"
 #include "gui/rules/hand_live.hpp"
 #include "gui/rules/hand_screening.hpp"
@@ -228,6 +229,7 @@ struct OpenSession {
   std::optional<session::HandSnapshot> hand;  ///< nothing: it is no tracked hand, or as above
   std::optional<session::TwoPlatformsSnapshot> both;  ///< of two platforms, or as above
   HandsAtRest hands_at_rest;
+  CrossTalkCheck crosstalk;  ///< of two platforms
   StillWatch still;
   PictureCheck picture_check;
   Preparation preparation;

@@ -151,7 +151,8 @@ void Trials::follow_time() {
   // Nothing begins by itself before the therapist says that the hand is in.
   const bool hand_is_in =
       view.situation != Situation::strap_in && view.situation != Situation::strap_again &&
-      view.situation != Situation::test_stop && view.situation != Situation::promise_reach;
+      view.situation != Situation::check_platforms && view.situation != Situation::test_stop &&
+      view.situation != Situation::promise_reach;
   if (view.may_begin && hand_is_in && guide.start_in_s(open.time_s()) <= 0.0) begin_next();
 }
 

@@ -72,6 +72,8 @@ struct FlowFacts {
   bool both_hands = false;
   std::optional<Hand> health_side;     ///< whose platform `health` is about; nothing: of neither
   std::optional<Hand> restarted_side;  ///< whose `restarted` is
+  bool platforms_checked = false;      ///< both hands: whether one moves the other; or skipped
+  bool platforms_pressed = false;      ///< … is being found out
   bool stop_tested = false;            ///< both hands: the stop was pressed once as a test
   bool within_reach = false;           ///< … and the therapist said that they stay there
   bool asks_zero = true;               ///< the device does, before the work
@@ -185,8 +187,9 @@ enum class Situation : std::uint8_t {
   stop_work,
   protocol_over,
   protocol_zero,
-  test_stop,      ///< both hands are to go in: the stop is pressed as a test before
-  promise_reach,  ///< … and the therapist says that they stay within reach
+  check_platforms,  ///< both empty, before hands go in: does one move the other?
+  test_stop,        ///< both hands are to go in: the stop is pressed as a test before
+  promise_reach,    ///< … and the therapist says that they stay within reach
   strap_in,
   strap_again,  ///< after a zero in the middle of the work
   settle,
@@ -219,7 +222,8 @@ enum class NextPress : std::uint8_t {
   basis,  ///< to record on which a camera may look at this person
   connect,
   zero,
-  reach,  ///< "I stay within reach"
+  platforms,  ///< whether one moves the other
+  reach,      ///< "I stay within reach"
   strap,
   picture,
   start,
@@ -250,8 +254,9 @@ struct FlowView {
   bool may_zero = false;
   bool may_accept_changed = false;  ///< the refused zero may be repeated as "serviced or remounted"
   bool may_check = false;           ///< the supports, with the hand out
-  bool may_test_stop = false;       ///< the pedal, before both hands go in
-  bool may_promise_reach = false;   ///< … and what is said then
+  bool may_check_platforms = false;  ///< empty, whether one moves the other
+  bool may_test_stop = false;        ///< the pedal, before both hands go in
+  bool may_promise_reach = false;    ///< … and what is said then
   bool may_strap = false;
   bool may_watch_picture = false;  ///< whether it moves as the arm or hand does
   bool may_choose_task = false;

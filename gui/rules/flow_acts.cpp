@@ -38,6 +38,9 @@ NextPress press_for(Situation situation, const FlowFacts& facts, const FlowView&
     case Situation::zero_outdated:
     case Situation::zero_missing:
     case Situation::protocol_zero: return if_possible(view.may_zero, NextPress::zero);
+    case Situation::check_platforms:
+      return if_possible(view.may_check_platforms && !facts.platforms_pressed,
+                         NextPress::platforms);
     case Situation::promise_reach: return if_possible(view.may_promise_reach, NextPress::reach);
     case Situation::straps_due:
     case Situation::strap_in:
@@ -84,9 +87,13 @@ void decide_between_trials(const FlowFacts& facts, bool sound, FlowView& view) {
   view.may_accept_changed = view.may_zero && facts.zero_only_changed;
   view.may_check = view.may_zero && !facts.is_seen();
   const bool may_put_in = live && facts.asks_rest && zero;
-  view.may_test_stop = may_put_in && hands_due(facts) && !facts.stop_tested;
-  view.may_promise_reach = may_put_in && hands_due(facts) && facts.stop_tested;
-  const bool safe = !hands_due(facts) || (facts.stop_tested && facts.within_reach);
+  view.may_check_platforms = may_put_in && hands_due(facts);
+  view.may_test_stop =
+      may_put_in && hands_due(facts) && facts.platforms_checked && !facts.stop_tested;
+  view.may_promise_reach =
+      may_put_in && hands_due(facts) && facts.platforms_checked && facts.stop_tested;
+  const bool safe = !hands_due(facts) || (facts.platforms_checked && !facts.platforms_pressed &&
+                                          facts.stop_tested && facts.within_reach);
   view.may_strap = may_put_in && safe && (!facts.strapped || facts.straps_due);
   view.may_watch_picture = live && facts.is_seen();
   view.may_choose_task = !in_trial(facts) && !facts.starting && !facts.zero_asked;
@@ -118,9 +125,10 @@ Obstacle obstacle_of(const FlowFacts& facts) {
   if (protocol.active && protocol.act == ProtocolFacts::Act::none) return Obstacle::protocol_over;
   if (protocol.active && protocol.act == ProtocolFacts::Act::zero) return Obstacle::zero_again;
   if (hands_due(facts))
-    return !facts.stop_tested    ? Obstacle::stop_untested
-           : !facts.within_reach ? Obstacle::not_within_reach
-                                 : Obstacle::not_strapped;
+    return !facts.platforms_checked ? Obstacle::platforms_unchecked
+           : !facts.stop_tested     ? Obstacle::stop_untested
+           : !facts.within_reach    ? Obstacle::not_within_reach
+                                    : Obstacle::not_strapped;
   const bool rest = facts.task_chosen && facts.task_rests && !facts.recorded;
   if (rest && !facts.strapped) return Obstacle::not_strapped;
   if (rest && facts.settling_s > 0) return Obstacle::settles;

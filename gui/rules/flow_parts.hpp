@@ -49,6 +49,7 @@ enum class Obstacle : std::uint8_t {
   trial_runs,
   protocol_over,
   zero_again,
+  platforms_unchecked,
   stop_untested,
   not_within_reach,
   not_strapped,

@@ -8,6 +8,7 @@ namespace {
 
 /// Both hands go in: before that what frees them is made sure of.
 Situation before_hands(const FlowFacts& facts) {
+  if (!facts.platforms_checked) return Situation::check_platforms;
   if (!facts.stop_tested) return Situation::test_stop;
   if (!facts.within_reach) return Situation::promise_reach;
   return facts.hand_out ? Situation::strap_again : Situation::strap_in;
@@ -167,6 +168,7 @@ Mood mood_of(Situation situation) {
     case Situation::straps_due:
     case Situation::stop_work:
     case Situation::protocol_zero:
+    case Situation::check_platforms:
     case Situation::test_stop:
     case Situation::promise_reach:
     case Situation::strap_in:

@@ -28,7 +28,8 @@ std::optional<Step> step_of(Situation situation, const FlowFacts& facts) {
     case Situation::zero_refused:
     case Situation::zero_outdated:
     case Situation::zero_missing:
-    case Situation::protocol_zero: return Step::zero;
+    case Situation::protocol_zero:
+    case Situation::check_platforms: return Step::zero;
     case Situation::straps_due:
     case Situation::test_stop:
     case Situation::promise_reach:

@@ -42,6 +42,11 @@ QString before_both(Situation situation) {
 /// What makes the hands free at any time comes before they are in.
 QString before_hands_are_in(Situation situation, const FlowFacts& facts) {
   switch (situation) {
+    case Situation::check_platforms:
+      return facts.platforms_pressed
+                 ? FlowBothTexts::tr("One platform is pressed, nobody touches the other.")
+                 : FlowBothTexts::tr(
+                       "Both zeros are set. Check whether the empty platforms move each other.");
     case Situation::test_stop:
       return FlowBothTexts::tr(
           "Before the hands go in: press the pedal (F9) or the stop key (F10) once, as a test.");
@@ -131,6 +136,8 @@ QString both_hint(const FlowFacts& facts, Obstacle obstacle) {
     case Obstacle::zeroing: return FlowBothTexts::tr("Wait until both zeros are set.");
     case Obstacle::zero_again:
       return FlowBothTexts::tr("Set the zeros of the empty platforms once more.");
+    case Obstacle::platforms_unchecked:
+      return FlowBothTexts::tr("Check the platforms first, or skip that check.");
     case Obstacle::stop_untested:
       return FlowBothTexts::tr("Press the pedal (F9) or F10 once, as a test.");
     case Obstacle::not_within_reach:

@@ -273,6 +273,7 @@ QString hint_of(const FlowFacts& facts) {
     case Obstacle::trial_runs: return FlowTexts::tr("A trial is running.");
     case Obstacle::protocol_over: return FlowTexts::tr("The protocol is finished.");
     case Obstacle::zero_again: return FlowTexts::tr("Set the zero of the empty device once more.");
+    case Obstacle::platforms_unchecked:
     case Obstacle::stop_untested:
     case Obstacle::not_within_reach: break;  // of two platforms
     case Obstacle::not_strapped:

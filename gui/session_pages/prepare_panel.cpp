@@ -7,6 +7,7 @@
 
 #include "gui/arm_pages/arm_screening_form.hpp"
 #include "gui/force_pages/both_screening_form.hpp"
+#include "gui/force_pages/crosstalk_form.hpp"
 #include "gui/force_pages/screening_form.hpp"
 #include "gui/hand_pages/hand_screening_form.hpp"
 #include "gui/hand_pages/hand_words.hpp"
@@ -104,6 +105,7 @@ QWidget* PreparePanel::make_zero() {
   auto* body = new QWidget;
   auto* column = new QVBoxLayout(body);
   column->addWidget(new ZeroForm(presenter_));
+  column->addWidget(new CrossTalkForm(presenter_));
   column->addWidget(new PostureForm(presenter_));
   column->addWidget(new EntryForm(presenter_));
   return body;

@@ -969,6 +969,18 @@
         <source>The hands settle: %1 s.</source>
         <translation>Die Hände kommen zur Ruhe: %1 s.</translation>
     </message>
+    <message>
+        <source>One platform is pressed, nobody touches the other.</source>
+        <translation>Eine Plattform wird gedrückt, niemand berührt die andere.</translation>
+    </message>
+    <message>
+        <source>Both zeros are set. Check whether the empty platforms move each other.</source>
+        <translation>Beide Nullabgleiche sind erfolgt. Prüfen Sie, ob sich die leeren Plattformen gegenseitig bewegen.</translation>
+    </message>
+    <message>
+        <source>Check the platforms first, or skip that check.</source>
+        <translation>Prüfen Sie zuerst die Plattformen, oder lassen Sie das aus.</translation>
+    </message>
 </context>
 <context>
     <name>Hand</name>
@@ -3442,6 +3454,10 @@
         <source>no forces yet</source>
         <translation>noch keine Kräfte</translation>
     </message>
+    <message>
+        <source>No share: the platforms move each other.</source>
+        <translation>Kein Anteil: die Plattformen bewegen sich gegenseitig.</translation>
+    </message>
 </context>
 <context>
     <name>isograsp::gui::BothScreeningForm</name>
@@ -3779,6 +3795,57 @@
     <message>
         <source>Trials of session %1</source>
         <translation>Versuche der Sitzung %1</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::CrossTalkForm</name>
+    <message>
+        <source>Press the left platform with at least 20 N for half a second.</source>
+        <translation>Die linke Plattform eine halbe Sekunde mit mindestens 20 N drücken.</translation>
+    </message>
+    <message>
+        <source>Now press the right platform with at least 20 N.</source>
+        <translation>Jetzt die rechte Plattform mit mindestens 20 N drücken.</translation>
+    </message>
+    <message>
+        <source>Skipped; this is stored with the session.</source>
+        <translation>Ausgelassen; das wird mit der Sitzung gespeichert.</translation>
+    </message>
+    <message>
+        <source>Do the platforms move each other? Both empty, press one, then the other.</source>
+        <translation>Bewegen sich die Plattformen gegenseitig? Beide leer: eine drücken, dann die andere.</translation>
+    </message>
+    <message>
+        <source>They move each other by %1 %: mount them apart. This session has no shares.</source>
+        <translation>Sie bewegen sich gegenseitig um %1 %: getrennt aufstellen. Diese Sitzung hat keine Anteile.</translation>
+    </message>
+    <message>
+        <source>✓ They stand apart: %1 % at most.</source>
+        <translation>✓ Sie stehen getrennt: höchstens %1 %.</translation>
+    </message>
+    <message>
+        <source>Skip this check</source>
+        <translation>Diese Prüfung auslassen</translation>
+    </message>
+    <message>
+        <source>Nobody knows then whether one platform moves the other; stored with the session (Tab, then space)</source>
+        <translation>Dann weiß niemand, ob eine Plattform die andere bewegt; wird mit der Sitzung gespeichert (Tab, dann Leertaste)</translation>
+    </message>
+    <message>
+        <source>Stop the check</source>
+        <translation>Prüfung beenden</translation>
+    </message>
+    <message>
+        <source>Check the platforms again</source>
+        <translation>Plattformen noch einmal prüfen</translation>
+    </message>
+    <message>
+        <source>Check the platforms</source>
+        <translation>Plattformen prüfen</translation>
+    </message>
+    <message>
+        <source>Each is pressed, empty, with 20 N; the other one may feel 1 % of it (Tab, then space)</source>
+        <translation>Jede wird leer mit 20 N gedrückt; die andere darf 1 % davon spüren (Tab, dann Leertaste)</translation>
     </message>
 </context>
 <context>

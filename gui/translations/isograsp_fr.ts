@@ -969,6 +969,18 @@
         <source>The hands settle: %1 s.</source>
         <translation>Les mains se stabilisent&#xa0;: %1 s.</translation>
     </message>
+    <message>
+        <source>One platform is pressed, nobody touches the other.</source>
+        <translation>Une plateforme est pressée, personne ne touche l’autre.</translation>
+    </message>
+    <message>
+        <source>Both zeros are set. Check whether the empty platforms move each other.</source>
+        <translation>Les deux mises à zéro sont faites. Vérifiez si les plateformes vides se font bouger.</translation>
+    </message>
+    <message>
+        <source>Check the platforms first, or skip that check.</source>
+        <translation>Vérifiez d’abord les plateformes, ou passez cette vérification.</translation>
+    </message>
 </context>
 <context>
     <name>Hand</name>
@@ -3442,6 +3454,10 @@
         <source>no forces yet</source>
         <translation>pas encore de forces</translation>
     </message>
+    <message>
+        <source>No share: the platforms move each other.</source>
+        <translation>Pas de part&#xa0;: les plateformes se font bouger.</translation>
+    </message>
 </context>
 <context>
     <name>isograsp::gui::BothScreeningForm</name>
@@ -3779,6 +3795,57 @@
     <message>
         <source>Trials of session %1</source>
         <translation>Essais de la séance %1</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::CrossTalkForm</name>
+    <message>
+        <source>Press the left platform with at least 20 N for half a second.</source>
+        <translation>Appuyez sur la plateforme gauche avec au moins 20 N pendant une demi-seconde.</translation>
+    </message>
+    <message>
+        <source>Now press the right platform with at least 20 N.</source>
+        <translation>Appuyez maintenant sur la plateforme droite avec au moins 20 N.</translation>
+    </message>
+    <message>
+        <source>Skipped; this is stored with the session.</source>
+        <translation>Passé&#xa0;; c’est enregistré avec la séance.</translation>
+    </message>
+    <message>
+        <source>Do the platforms move each other? Both empty, press one, then the other.</source>
+        <translation>Les plateformes se font-elles bouger&#xa0;? Les deux vides&#xa0;: appuyez sur l’une, puis sur l’autre.</translation>
+    </message>
+    <message>
+        <source>They move each other by %1 %: mount them apart. This session has no shares.</source>
+        <translation>Elles se font bouger de %1 %&#xa0;: montez-les séparément. Cette séance n’a pas de parts.</translation>
+    </message>
+    <message>
+        <source>✓ They stand apart: %1 % at most.</source>
+        <translation>✓ Elles sont séparées&#xa0;: %1 % au plus.</translation>
+    </message>
+    <message>
+        <source>Skip this check</source>
+        <translation>Passer cette vérification</translation>
+    </message>
+    <message>
+        <source>Nobody knows then whether one platform moves the other; stored with the session (Tab, then space)</source>
+        <translation>On ne sait pas alors si une plateforme fait bouger l’autre&#xa0;; enregistré avec la séance (Tab, puis Espace)</translation>
+    </message>
+    <message>
+        <source>Stop the check</source>
+        <translation>Arrêter la vérification</translation>
+    </message>
+    <message>
+        <source>Check the platforms again</source>
+        <translation>Vérifier encore les plateformes</translation>
+    </message>
+    <message>
+        <source>Check the platforms</source>
+        <translation>Vérifier les plateformes</translation>
+    </message>
+    <message>
+        <source>Each is pressed, empty, with 20 N; the other one may feel 1 % of it (Tab, then space)</source>
+        <translation>Chacune est pressée à vide avec 20 N&#xa0;; l’autre peut en sentir 1 % (Tab, puis Espace)</translation>
     </message>
 </context>
 <context>

@@ -44,6 +44,8 @@ void put_hands_task(Sink& sink, const RowFrame& frame, const TwoPlatformsSnapsho
   }
   const auto& affected = trial.references.affected;
   sink.put(columns::affected_hand, !affected ? kBlank : *affected == Hand::left ? 0.0 : 1.0);
+  const auto& coupled = trial.references.coupled;
+  sink.put(columns::platforms_coupled, coupled ? stored_number(*coupled) : kBlank);
   sink.put(columns::device_delay_s, trial.device_delay_s.value_or(kBlank));
   sink.put(columns::display_delay_s, trial.display_delay_s.value_or(kBlank));
 }

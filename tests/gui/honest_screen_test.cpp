@@ -250,10 +250,11 @@ const char* disagreement(const FlowFacts& facts, const FlowView& view) {
   if (!is(NextPress::device, view.may_change_device, Step::device)) return "device";
   if (!is(NextPress::connect, view.may_connect, Step::device)) return "connect";
   if (!is(NextPress::zero, view.may_zero, Step::zero)) return "zero";
+  if (!is(NextPress::platforms, view.may_check_platforms, Step::zero)) return "platforms";
   if (!is(NextPress::reach, view.may_promise_reach, Step::rest)) return "reach";
   if (!is(NextPress::strap, view.may_strap, Step::rest)) return "strap";
   // Both hands.
-  const bool free_at_once = facts.stop_tested && facts.within_reach;
+  const bool free_at_once = facts.platforms_checked && facts.stop_tested && facts.within_reach;
   if (facts.both_hands && begins && !(facts.strapped && free_at_once))
     return "Start of both hands that nobody can free at once, or that are not in";
   if (facts.both_hands && view.may_strap && !free_at_once)
@@ -384,8 +385,12 @@ void safeties(FlowFacts& facts, const std::function<void()>& then) {
   for (const auto& [tested, stays] : {std::pair{false, false}, {true, false}, {true, true}}) {
     facts.stop_tested = tested;
     facts.within_reach = stays;
-    if (facts.strapped && !(tested && stays)) continue;
-    then();
+    for (const auto& [checked, pressed] : {std::pair{false, false}, {false, true}, {true, false}}) {
+      facts.platforms_checked = checked;
+      facts.platforms_pressed = pressed;
+      if ((facts.strapped && !(tested && stays)) || (tested && !checked)) continue;
+      then();
+    }
   }
 }
 

@@ -132,6 +132,7 @@ class Operator {
     choose_platform("platforms_left", uri);
     press("connect");
     set_zero();
+    press("crosstalk_skip");
   }
   void choose_platform(const char* list, const QString& uri) const {
     auto& platforms = find<QListWidget>(list);

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "gui/rules/crosstalk_check.hpp"
 #include "gui/rules/two_hands_live.hpp"
 
 namespace isograsp::gui::test::two_hands_rules_test {
@@ -64,6 +65,82 @@ TEST(HandsSafetyRule, NeedsTheStopAndSomebodyWithinReachAndStoresBoth) {
   EXPECT_EQ(of, (std::map<std::string, std::string>{{"stop_tested", "yes"},
                                                     {"within_reach", "yes"},
                                                     {"less_affected_hand_strapped", "no"}}));
+}
+
+/// Presses of which the other platform feels a share, with what it felt before.
+class Bench {
+ public:
+  explicit Bench(double share) : share_(share) { check.begin(); }
+  /// Net push on one platform for a while, at 60 looks a second.
+  void press(Hand hand, double force_N, double lasts_s) {
+    for (int k = 0; k < static_cast<int>(60.0 * lasts_s); ++k) {
+      session::TwoPlatformsSnapshot now;
+      now.session_time_s = t_s_ += 1.0 / 60.0;
+      now.of[hand].push_W = Vec3(0.6 * force_N, -0.8 * force_N, 0.0);
+      now.of[other_than(hand)].push_W = Vec3(0.3, 0.0, share_ * force_N);
+      check.add(now);
+    }
+  }
+  CrossTalkCheck check;
+
+ private:
+  double share_;
+  double t_s_ = 0.0;
+};
+
+TEST(CrossTalk, IsWhatTheOtherPlatformFeelsOfTwentyNewtonsBothWays) {
+  for (const double share : {0.0, 0.005, 0.02, 0.2}) {
+    Bench bench(share);
+    for (const Hand hand : kBothHands) {
+      bench.press(hand, 0.0, 0.5);
+      bench.press(hand, 25.0, 1.0);
+    }
+    ASSERT_EQ(bench.check.state(), CrossTalkCheck::State::over) << share;
+    constexpr double kRounding = 1e-9;  // means of some thirty sums
+    EXPECT_NEAR(bench.check.moved_percent(), 100.0 * share, kRounding);
+    EXPECT_NEAR(bench.check.ways().left->pressed_N, 25.0, kRounding);
+    EXPECT_EQ(bench.check.coupled(), share > 0.01) << share;
+  }
+}
+
+TEST(CrossTalk, ASoftPressOrOneThatWasThereBeforeCountsForNothing) {
+  Bench soft(0.2);
+  soft.press(Hand::left, 0.0, 0.5);
+  soft.press(Hand::left, 19.0, 3.0);
+  EXPECT_EQ(soft.check.state(), CrossTalkCheck::State::press_left);
+  Bench before(0.2);
+  before.press(Hand::left, 25.0, 3.0);
+  EXPECT_EQ(before.check.state(), CrossTalkCheck::State::press_left)
+      << "nobody knows what the other one felt before";
+  Bench short_press(0.2);
+  short_press.press(Hand::left, 0.0, 0.5);
+  short_press.press(Hand::left, 25.0, 0.3);
+  short_press.press(Hand::left, 0.0, 0.5);
+  short_press.press(Hand::left, 25.0, 0.3);
+  EXPECT_EQ(short_press.check.state(), CrossTalkCheck::State::press_left);
+}
+
+TEST(CrossTalk, IsStoredWithItsOutcomeOrAsSkipped) {
+  const auto of = [](const CrossTalkCheck& check) {
+    std::map<std::string, std::string> said;
+    for (const auto& answer : stored(check)) said[answer.item] = answer.value;
+    return said;
+  };
+  Bench bench(0.02);
+  for (const Hand hand : kBothHands) {
+    bench.press(hand, 0.0, 0.5);
+    bench.press(hand, 25.0, 1.0);
+  }
+  EXPECT_EQ(of(bench.check),
+            (std::map<std::string, std::string>{{"outcome", "coupled"},
+                                                {"left_pressed_N", "25.00"},
+                                                {"left_moves_other_percent", "2.00"},
+                                                {"right_pressed_N", "25.00"},
+                                                {"right_moves_other_percent", "2.00"}}));
+  bench.check.skip();
+  EXPECT_TRUE(bench.check.settled());
+  EXPECT_FALSE(bench.check.coupled());
+  EXPECT_EQ(of(bench.check), (std::map<std::string, std::string>{{"outcome", "skipped"}}));
 }
 
 HandsHistory pressed(double left_N, double right_N, double lasts_s = 2.0) {

@@ -162,6 +162,7 @@ TEST_F(BothInWindows, NothingBeginsBeforeTheStopIsTestedSomebodyStaysAndTheHands
   EXPECT_EQ(said["safety stop_tested"], "yes");
   EXPECT_EQ(said["safety within_reach"], "yes");
   EXPECT_EQ(said["safety less_affected_hand_strapped"], "yes");
+  EXPECT_EQ(said["crosstalk outcome"], "skipped");
   EXPECT_EQ(said["screening left_pain"], "0");
   EXPECT_EQ(said["screening right_allowed"], "maximum");
   const auto events = must(store->events(session.id));
@@ -184,6 +185,15 @@ TEST_F(BothInWindows, AWholeSessionGoesFromBothZerosThroughRestAndMaximaToOneFor
   keep_picture(windows_.therapist(), "both_zero");
   operator_.press("zero");
   operator_.press("zero_confirmed");
+  ASSERT_TRUE(wait_until([&] { return view().situation == Situation::check_platforms; }))
+      << view().sentence;
+  EXPECT_EQ(view().next(), Step::zero);
+  EXPECT_FALSE(view().may_start || view().may_strap || view().may_test_stop);
+  operator_.press("crosstalk_check");
+  EXPECT_TRUE(label("crosstalk_words").contains("left platform"));
+  keep_picture(windows_.therapist(), "both_crosstalk");
+  operator_.press("crosstalk_check");  // stops: nobody presses the platforms of software
+  operator_.press("crosstalk_skip");
   ASSERT_TRUE(wait_until([&] { return view().situation == Situation::test_stop; }))
       << view().sentence;
   EXPECT_EQ(picture().headline, "Relax both hands");
@@ -249,6 +259,9 @@ TEST_F(BothInWindows, EveryPageHoldsItsWordsInEveryLanguage) {
     keep("4_zero");
     therapist.press("zero_confirmed");
     const auto& view = windows.presenter().flow().view();
+    ASSERT_TRUE(wait_until([&] { return view.situation == Situation::check_platforms; }));
+    keep("5_crosstalk");
+    therapist.press("crosstalk_skip");
     ASSERT_TRUE(wait_until([&] { return view.situation == Situation::test_stop; }));
     keep("5_stop");
     QTest::keyClick(&windows.therapist(), Qt::Key_F10);

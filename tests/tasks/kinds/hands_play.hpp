@@ -42,9 +42,10 @@ inline FingerWrenches gripping(double force_N) {
 /// A trial to its end, with the columns that its measures read.
 inline Signals play_hands(const tasks::TaskSpec& spec, const tasks::TaskContext& context,
                           const PressHands& press = still_hands) {
-  std::vector<std::string> names{columns::t_s,          columns::phase, columns::sample_flags,
-                                 columns::segment,      columns::cue,   columns::target_sum_force_N,
-                                 columns::affected_hand};
+  std::vector<std::string> names{columns::t_s,           columns::phase,
+                                 columns::sample_flags,  columns::segment,
+                                 columns::cue,           columns::target_sum_force_N,
+                                 columns::affected_hand, columns::platforms_coupled};
   for (const Hand hand : kBothHands) {
     for (const auto* of : {&columns::hand_grip, &columns::target_hand_grip, &columns::hand_cue,
                            &columns::hand_resting_force_N, &columns::hand_maximum_force_N})
@@ -69,7 +70,10 @@ inline Signals play_hands(const tasks::TaskSpec& spec, const tasks::TaskContext&
                             known(hands.target_sum_N),
                             !affected                 ? tasks::kNotMeasured
                             : *affected == Hand::left ? 0.0
-                                                      : 1.0};
+                                                      : 1.0,
+                            context.two_hands.coupled
+                                ? static_cast<double>(*context.two_hands.coupled)
+                                : tasks::kNotMeasured};
     const OfHands<double> force_N = press(view);
     for (const Hand hand : kBothHands) {
       const tasks::HandReferences& of = context.two_hands.of[hand];

@@ -203,6 +203,21 @@ TEST(TwoHands, WithoutRestOfAHandThereIsNoShare) {
   EXPECT_TRUE(measure(all, "force_above_rest", "left").value);
 }
 
+TEST(TwoHands, PlatformsThatMoveEachOtherGiveNoShareAndSayWhy) {
+  TaskContext context = weak_left();
+  context.two_hands.coupled = true;
+  const auto all = scored(sine(BilateralTrackingSpec::Goal::sum), context, sharing(0.25));
+  for (const char* name : {"share_affected", "asymmetry", "effort_share_affected"}) {
+    EXPECT_FALSE(measure(all, name, "left").value) << name;
+    EXPECT_NE(measure(all, name, "left").reason.find("mount them apart"), std::string::npos)
+        << name;
+  }
+  EXPECT_TRUE(measure(all, "rmse", "sum").value) << "what both do together stands";
+  context.two_hands.coupled = false;
+  const auto apart = scored(sine(BilateralTrackingSpec::Goal::sum), context, sharing(0.25));
+  EXPECT_NEAR(value(apart, "share_affected", "left"), 25.0, kRounding);
+}
+
 TEST(TwoHands, WithoutAnAffectedSideThereIsNoShareAndNoLag) {
   TaskContext context = weak_left();
   context.two_hands.affected.reset();

@@ -6,10 +6,9 @@
 #include <soci/soci.h>
 
 #include "storage/access/audit_chain.hpp"
-#include "storage/access/audit_check.hpp"
+#include "storage/access/proof.hpp"
 #include "storage/access/sealed_text.hpp"
 #include "storage/file/open_mode.hpp"
-#include "storage/file/schema_access.hpp"
 #include "storage/records/patient_code.hpp"
 
 namespace isograsp::storage {
@@ -313,20 +312,16 @@ Result<void> GuardedStore::remove_stable_period(RowId id) {
 
 Result<std::vector<Text>> GuardedStore::check() {
   auto problems = behind().check_through(*this);
-  if (!problems || database().format() < schema::kAccessFormat) return problems;
-  const auto of_log = audit_problems(database(), *state_);
-  if (!of_log) return of_log.error();
-  problems->insert(problems->end(), of_log->begin(), of_log->end());
-  if (database().format() < schema::kSealFormat) return problems;
-  const Login login = state_->login();
-  const auto of_rows = seal_problems(database(), audit_key(login));
-  if (!of_rows) return of_rows.error();
-  problems->insert(problems->end(), of_rows->begin(), of_rows->end());
+  if (!problems) return problems;
+  const auto changes = changes_by_others(database(), *state_);
+  if (!changes) return changes.error();
+  problems->insert(problems->end(), changes->begin(), changes->end());
   return problems;
 }
 
 Result<void> GuardedStore::backup(const std::string& to) {
-  const auto copied = behind().backup(to);
+  const auto copied = behind().copy_if_sound(
+      to, [this](Database& copy) { return changes_by_others(copy, *state_); });
   if (database().format() != kDatabaseFormat || !may_be_written(path())) return copied;
   // On a connection of its own: a store that only reads makes backups, too.
   auto log = Database::open(path(), OpenMode::existing);

@@ -9,6 +9,7 @@
 #include "storage/access/audit_chain.hpp"
 #include "storage/access/audit_head_file.hpp"
 #include "storage/access/open_store.hpp"
+#include "storage/access/proof.hpp"
 #include "storage/access/sealed_text.hpp"
 #include "storage/access/user_rows.hpp"
 #include "storage/file/remains.hpp"
@@ -129,6 +130,10 @@ Result<Protection> protect_database(const std::string& database, const Secret& p
     if (!opened) return opened.error();
     const auto recording = nobody_records(*opened);
     if (!recording) return recording.error();
+    // All rows get new seals: what was changed by another hand would, too.
+    // Not on this connection: when the file is closed to others it would go on with pages that it
+    // read before the backup was logged.
+    if (const auto proved = prove_file(database); !proved) return proved.error();
     protection.copy = free_name(opened->real_path() + ".before-protection");
     {
       const auto store = open_store(database, OpenMode::existing);

@@ -12,6 +12,7 @@
 #include "storage/access/access.hpp"
 #include "storage/access/audit_chain.hpp"
 #include "storage/access/open_store.hpp"
+#include "storage/access/proof.hpp"
 #include "storage/care/merge_tables.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
 
@@ -97,8 +98,11 @@ MergeReport merge(soci::session& sql, std::span<const std::string> same_patients
   return report;
 }
 
-/// The file is of this program's format, and nobody records into it.
-Result<void> check_mergeable(const std::string& path, OpenMode how) {
+/// Proved where it has to be, of this program's format, and nobody records into it.
+Result<void> check_mergeable(const std::string& path, OpenMode how, bool proved) {
+  // First: what follows writes.
+  if (proved)
+    if (auto sound = prove_file(path); !sound) return sound;
   {
     // Marks trials that a program left running when it ended.
     const auto store =
@@ -122,22 +126,6 @@ Result<void> check_mergeable(const std::string& path, OpenMode how) {
   return {};
 }
 
-/// Nothing that was changed by another hand is taken in, or gets a new seal.
-Result<void> prove(const std::string& path) {
-  auto database = Database::open(path, OpenMode::read_only);
-  if (!database) return database.error();
-  std::shared_ptr<LoginState> state;
-  const auto read = database->guard("opening"_text, [&] { state = login_state_of(*database); });
-  if (!read) return read.error();
-  const Login login = state->login();
-  const auto problems = seal_problems(*database, audit_key(login));
-  if (!problems) return problems.error();
-  if (problems->empty()) return {};
-  return failed("was changed by another program: %1"_text(problems->front()),
-                "run isograsp db check, then restore the last backup"_text)
-      .at(path);
-}
-
 }  // namespace
 
 Result<MergeReport> merge_databases(const std::string& into, const std::string& from,
@@ -150,14 +138,13 @@ Result<MergeReport> merge_databases(const std::string& into, const std::string& 
     return refused("a protected database cannot be merged with another one: their keys differ"_text,
                    "export from one, or work with both"_text)
         .at(is_protected_database(into) ? into : from);
-  if (const auto good = check_mergeable(into, into_how); !good) return good.error();
-  if (const auto good = check_mergeable(from, OpenMode::read_only); !good) return good.error();
   // An emergency file has what a damaged file lost; and who merges in scratch files has just made
   // them.
-  if (into_how != OpenMode::scratch)
-    if (const auto proved = prove(from); !proved) return proved.error();
-  if (into_how != OpenMode::scratch && emergency == nullptr)
-    if (const auto proved = prove(into); !proved) return proved.error();
+  const bool scratch = into_how == OpenMode::scratch;
+  if (const auto good = check_mergeable(into, into_how, !scratch && emergency == nullptr); !good)
+    return good.error();
+  if (const auto good = check_mergeable(from, OpenMode::read_only, !scratch); !good)
+    return good.error();
   auto database = Database::open(into, into_how);
   if (!database) return database.error();
   const auto ours = hashes_of_unpacked(into);

@@ -12,6 +12,7 @@
 
 #include "storage/access/audit_chain.hpp"
 #include "storage/access/guarded_store.hpp"
+#include "storage/access/proof.hpp"
 #include "storage/crypto/content_hash.hpp"
 #include "storage/file/old_formats.hpp"
 #include "storage/file/open_mode.hpp"
@@ -115,8 +116,13 @@ Result<Migration> migrate_database(const std::string& path) {
   auto opened = Database::open(path, OpenMode::existing, kOldest);
   if (!opened) return opened.error();
   Migration migration{opened->format(), ""};
-  if (migration.from == kDatabaseFormat) return pack_all(std::move(*opened), migration);
-  if (const auto login = login_at(*opened, true); !login) return login.error();
+  const auto login = login_at(*opened, true);
+  if (!login) return login.error();
+  if (migration.from == kDatabaseFormat) {
+    // Packed trials get new seals: what was changed by another hand would, too.
+    if (const auto proved = prove(*opened, **login); !proved) return proved.error();
+    return pack_all(std::move(*opened), migration);
+  }
   const auto lock = RecordingLock::exclusive_if_free(opened->real_path());
   if (!lock) return lock.error();
   if (!lock->held())

@@ -19,6 +19,7 @@
 #include "storage/file/old_formats.hpp"
 #include "storage/file/open_mode.hpp"
 #include "storage/file/schema.hpp"
+#include "storage/file/statement.hpp"
 
 namespace isograsp::storage {
 
@@ -181,9 +182,8 @@ Result<void> create_file(const std::string& path, const fs::path& real_path, boo
 /// of a kilobyte could otherwise ask for gigabytes.
 void limit(soci::session& sql) {
   constexpr int kLargestValue = (1 << 27) + (1 << 20);  // bytes
-  auto* const backend = static_cast<soci::sqlite3_session_backend*>(sql.get_backend());
-  sqlite_api::sqlite3_limit(backend->conn_, SQLITE_LIMIT_LENGTH, kLargestValue);
-  sqlite_api::sqlite3_db_config(backend->conn_, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+  sqlite_api::sqlite3_limit(connection_of(sql), SQLITE_LIMIT_LENGTH, kLargestValue);
+  sqlite_api::sqlite3_db_config(connection_of(sql), SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   sql << "PRAGMA cell_size_check=ON";
 }
 
@@ -476,8 +476,9 @@ Result<void> Database::enclose(const char* begin, const Text& doing,
       if (before_commit_) before_commit_();
       stop_if_lost();
       sql() << "COMMIT";
+      if (seals_) seals_->end_transaction();
     } catch (...) {
-      if (seals_) seals_->forget();
+      if (seals_) seals_->end_transaction();
       try {
         sql() << "ROLLBACK";
       } catch (const soci::soci_error&) {  // SQLite has rolled back by itself (full disk)

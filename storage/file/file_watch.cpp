@@ -11,6 +11,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "storage/file/statement.hpp"
+
 namespace isograsp::storage {
 
 /// A file as its name leads to it.
@@ -110,7 +112,7 @@ struct FileWatch::Picture {
 FileWatch::FileWatch(soci::session& sql, std::string real_path)
     : before_(std::make_unique<Picture>()) {
   Picture& p = *before_;
-  p.connection = static_cast<soci::sqlite3_session_backend*>(sql.get_backend())->conn_;
+  p.connection = connection_of(sql);
   p.path = std::move(real_path);
   p.descriptor = open(p.path.c_str(), O_PATH | O_CLOEXEC);
   p.main = named(p.path);

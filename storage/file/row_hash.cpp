@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -78,13 +77,6 @@ std::optional<std::string> salt_of(soci::session& sql, const std::string& table,
   return std::nullopt;
 }
 
-std::string_view bytes_at(sqlite3_stmt* statement, int column) {
-  // The value first, then its size: SQLite's order.
-  const void* const data = sqlite3_column_blob(statement, column);
-  const int size = sqlite3_column_bytes(statement, column);
-  return {static_cast<const char*>(data), static_cast<std::size_t>(size)};
-}
-
 }  // namespace
 
 std::string key_text(const RowKey& key) {
@@ -134,22 +126,34 @@ std::vector<SealedTable> sealed_tables(soci::session& sql) {
   return all;
 }
 
-struct RowReader::Statement {
-  explicit Statement(const SealedTable& of) : table(of) {}
-  Statement(const Statement&) = delete;
-  Statement& operator=(const Statement&) = delete;
-  ~Statement() { sqlite3_finalize(compiled); }
-  const SealedTable& table;
-  sqlite3* connection = nullptr;
-  sqlite3_stmt* compiled = nullptr;
-  void must(int code) const {
-    if (code != SQLITE_OK) throw soci::sqlite3_soci_error(sqlite3_errmsg(connection), code);
+void add_value(std::string& said, const RowValue& value) {
+  const auto add_number = [&said](std::uint64_t number) {
+    said.append(reinterpret_cast<const char*>(&number), sizeof number);
+  };
+  add_number(static_cast<std::uint64_t>(value.kind));
+  switch (value.kind) {
+    case SQLITE_NULL: break;
+    case SQLITE_INTEGER:
+    case SQLITE_FLOAT: add_number(value.bits); break;
+    default: add_number(value.bytes.size()); said += value.bytes;
   }
-};
+}
 
-RowReader::RowReader(soci::session& sql, const SealedTable& table, Which which)
-    : statement_(std::make_unique<Statement>(table)) {
-  statement_->connection = static_cast<soci::sqlite3_session_backend*>(sql.get_backend())->conn_;
+ContentHash hash_of_row(const Secret* key, const SealedTable& table, std::string_view said) {
+  ContentHasher whole(key != nullptr ? key->text() : std::string_view());
+  whole.add_text("IsoGrasp row 1");
+  whole.add_text(table.name);
+  whole.add(said);
+  return whole.hash();
+}
+
+std::string key_part(const RowValue& value) {
+  // A number that was read as text would be one for SQLite from then on.
+  if (value.kind == SQLITE_INTEGER) return std::to_string(static_cast<std::int64_t>(value.bits));
+  return std::string(value.bytes);
+}
+
+RowReader::RowReader(soci::session& sql, const SealedTable& table, Which which) : table_(table) {
   std::string names;
   for (const auto& column : table.columns)
     names += (column.sealed ? "t." + column.name : std::string("NULL")) + ", ";
@@ -157,63 +161,36 @@ RowReader::RowReader(soci::session& sql, const SealedTable& table, Which which)
   for (const int index : table.key)
     keys += (keys.empty() ? " WHERE t." : " AND t.") +
             table.columns[static_cast<std::size_t>(index)].name + " = ?";
-  const std::string query = "SELECT " + names + table.salt + " FROM main." + table.name + " t" +
-                            (which == Which::one ? keys : "");
-  statement_->must(sqlite3_prepare_v2(statement_->connection, query.c_str(), -1,
-                                      &statement_->compiled, nullptr));
+  statement_ =
+      std::make_unique<Statement>(sql, "SELECT " + names + table.salt + " FROM main." + table.name +
+                                           " t" + (which == Which::one ? keys : ""));
 }
 
-RowReader::~RowReader() = default;
-RowReader::RowReader(RowReader&&) noexcept = default;
-
-void RowReader::find(const RowKey& key) {
-  sqlite3_reset(statement_->compiled);
+bool RowReader::find(const RowKey& key) {
+  statement_->reset();
   for (std::size_t i = 0; i < key.size(); ++i)
-    statement_->must(sqlite3_bind_text(statement_->compiled, static_cast<int>(i + 1), key[i].data(),
-                                       static_cast<int>(key[i].size()), SQLITE_TRANSIENT));
+    statement_->bind_text(static_cast<int>(i + 1), key[i]);
+  return next();
 }
 
 bool RowReader::next() {
-  const int code = sqlite3_step(statement_->compiled);
-  if (code == SQLITE_ROW) return true;
-  statement_->must(sqlite3_reset(statement_->compiled));
-  return false;
+  if (!statement_->next()) return false;
+  said_.clear();
+  for (std::size_t i = 0; i < table_.columns.size(); ++i)
+    if (table_.columns[i].sealed) add_value(said_, statement_->value(static_cast<int>(i)));
+  salt_.clear();
+  add_value(salt_, statement_->value(static_cast<int>(table_.columns.size())));
+  return true;
 }
 
 RowKey RowReader::key() const {
   RowKey key;
-  for (const int index : statement_->table.key)
-    // A number that was read as text would be one for SQLite from then on.
-    if (sqlite3_column_type(statement_->compiled, index) == SQLITE_INTEGER)
-      key.push_back(std::to_string(sqlite3_column_int64(statement_->compiled, index)));
-    else
-      key.emplace_back(bytes_at(statement_->compiled, index));
+  for (const int index : table_.key) key.push_back(key_part(statement_->value(index)));
   return key;
 }
 
 ContentHash RowReader::hash(const Secret* key) const {
-  const SealedTable& table = statement_->table;
-  ContentHasher whole(key != nullptr ? key->text() : std::string_view());
-  whole.add_text("IsoGrasp row 1");
-  whole.add_text(table.name);
-  const int count = static_cast<int>(table.columns.size());
-  for (int i = 0; i <= count; ++i) {  // the last one is the salt
-    if (i < count && !table.columns[static_cast<std::size_t>(i)].sealed) continue;
-    const int kind = sqlite3_column_type(statement_->compiled, i);
-    whole.add_number(static_cast<std::uint64_t>(kind));
-    switch (kind) {
-      case SQLITE_INTEGER:
-        whole.add_number(static_cast<std::uint64_t>(sqlite3_column_int64(statement_->compiled, i)));
-        break;
-      case SQLITE_FLOAT:
-        whole.add_number(
-            std::bit_cast<std::uint64_t>(sqlite3_column_double(statement_->compiled, i)));
-        break;
-      case SQLITE_NULL: break;
-      default: whole.add_text(bytes_at(statement_->compiled, i));
-    }
-  }
-  return whole.hash();
+  return hash_of_row(key, table_, said_ + salt_);
 }
 
 }  // namespace isograsp::storage

@@ -6,14 +6,12 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "storage/crypto/content_hash.hpp"
 #include "storage/crypto/secret.hpp"
-
-namespace soci {
-class session;
-}
+#include "storage/file/statement.hpp"
 
 namespace isograsp::storage {
 
@@ -39,24 +37,34 @@ struct SealedTable {
 /// signals), and wrong passwords, which are counted before there is a key. Throws as SOCI does.
 [[nodiscard]] std::vector<SealedTable> sealed_tables(soci::session& sql);
 
+/// What a row says: its sealed values in the order of their columns, kind and bits, one after the
+/// other.
+void add_value(std::string& said, const RowValue& value);
+/// `said`: what the row says, and at its end the salt. Nothing as key: everybody can make it.
+[[nodiscard]] ContentHash hash_of_row(const Secret* key, const SealedTable& table,
+                                      std::string_view said);
+/// As it stands in a RowKey.
+[[nodiscard]] std::string key_part(const RowValue& value);
+
 /// Rows of one table; throws as SOCI does.
 class RowReader {
  public:
   enum class Which { one, all };
   /// Both must outlive the reader.
   RowReader(soci::session& sql, const SealedTable& table, Which which);
-  ~RowReader();
-  RowReader(RowReader&&) noexcept;
-  /// @pre Which::one
-  void find(const RowKey& key);
+  /// False: there is none. To be ended by done(). @pre Which::one
+  [[nodiscard]] bool find(const RowKey& key);
+  void done() { statement_->reset(); }
   [[nodiscard]] bool next();
   [[nodiscard]] RowKey key() const;
-  /// Nothing as key: everybody can make it. Of kind and bits of every sealed value.
+  [[nodiscard]] const std::string& salt() const noexcept { return salt_; }  ///< as it is said
   [[nodiscard]] ContentHash hash(const Secret* key) const;
 
  private:
-  struct Statement;
+  const SealedTable& table_;
   std::unique_ptr<Statement> statement_;
+  std::string said_;
+  std::string salt_;
 };
 
 }  // namespace isograsp::storage

@@ -2,6 +2,7 @@
 #include "storage/file/row_seals.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <string_view>
 
 #include <soci/soci.h>
@@ -16,18 +17,20 @@ using namespace sqlite_api;
 
 namespace {
 
-sqlite3* connection_of(soci::session& sql) {
-  return static_cast<soci::sqlite3_session_backend*>(sql.get_backend())->conn_;
-}
-
-std::string value_text(sqlite3_value* value) {
-  const auto* const text = reinterpret_cast<const char*>(sqlite3_value_text(value));
-  return text == nullptr ? "" : text;
-}
-
-/// Of numbers without fractions, texts and bytes.
-bool is_same(sqlite3_value* a, sqlite3_value* b) {
-  return sqlite3_value_type(a) == sqlite3_value_type(b) && value_text(a) == value_text(b);
+/// Of a change that SQLite tells of.
+RowValue as_told(sqlite3_value* value) {
+  RowValue one{sqlite3_value_type(value), 0, {}};
+  switch (one.kind) {
+    case SQLITE_NULL: break;
+    case SQLITE_INTEGER: one.bits = static_cast<std::uint64_t>(sqlite3_value_int64(value)); break;
+    case SQLITE_FLOAT: one.bits = std::bit_cast<std::uint64_t>(sqlite3_value_double(value)); break;
+    default: {
+      const void* const data = sqlite3_value_blob(value);
+      const int size = sqlite3_value_bytes(value);
+      one.bytes = {static_cast<const char*>(data), static_cast<std::size_t>(size)};
+    }
+  }
+  return one;
 }
 
 }  // namespace
@@ -36,42 +39,50 @@ bool is_same(sqlite3_value* a, sqlite3_value* b) {
 struct SealHook {
   using Get = int (*)(sqlite3*, int, sqlite3_value**);
 
+  static RowValue value_of(sqlite3* connection, int column, Get get) {
+    sqlite3_value* value = nullptr;
+    if (get(connection, column, &value) != SQLITE_OK) return {};  // of no kind
+    return as_told(value);
+  }
+
   static RowKey key_of(sqlite3* connection, const SealedTable& table, Get get) {
     RowKey key;
-    for (const int column : table.key) {
-      sqlite3_value* value = nullptr;
-      key.push_back(get(connection, column, &value) == SQLITE_OK ? value_text(value) : "");
-    }
+    for (const int column : table.key) key.push_back(key_part(value_of(connection, column, get)));
     return key;
   }
 
-  /// A wrong password was counted, no more.
-  static bool only_counts(sqlite3* connection, const SealedTable& table) {
-    for (std::size_t i = 0; i < table.columns.size(); ++i) {
-      if (!table.columns[i].sealed) continue;
-      sqlite3_value* before = nullptr;
-      sqlite3_value* after = nullptr;
-      const int column = static_cast<int>(i);
-      if (sqlite3_preupdate_old(connection, column, &before) != SQLITE_OK ||
-          sqlite3_preupdate_new(connection, column, &after) != SQLITE_OK || !is_same(before, after))
-        return false;
-    }
-    return true;
+  /// As RowReader reads it, without the salt.
+  static std::string said_by(sqlite3* connection, const SealedTable& table, Get get) {
+    std::string said;
+    for (std::size_t i = 0; i < table.columns.size(); ++i)
+      if (table.columns[i].sealed) add_value(said, value_of(connection, static_cast<int>(i), get));
+    return said;
   }
 
   static void on_change(void* context, sqlite3* connection, int act, const char* file,
                         const char* name, sqlite3_int64, sqlite3_int64) noexcept {
-    // What a trigger does this program has not done: it has none that changes rows.
-    if (std::string_view(file) != "main" || sqlite3_preupdate_depth(connection) > 0) return;
+    if (std::string_view(file) != "main") return;
     RowSeals& seals = *static_cast<RowSeals*>(context);
-    const auto found = std::lower_bound(
-        seals.tables_.begin(), seals.tables_.end(), std::string_view(name),
-        [](const SealedTable& table, std::string_view wanted) { return table.name < wanted; });
-    if (found == seals.tables_.end() || found->name != name) return;
-    if (act == SQLITE_UPDATE && found->has_unsealed() && only_counts(connection, *found)) return;
-    const auto table = static_cast<std::size_t>(found - seals.tables_.begin());
-    if (act != SQLITE_INSERT) seals.touch(table, key_of(connection, *found, sqlite3_preupdate_old));
-    if (act != SQLITE_DELETE) seals.touch(table, key_of(connection, *found, sqlite3_preupdate_new));
+    const auto index = seals.index_of(name);
+    if (!index) return;
+    const SealedTable& table = seals.tables_[*index];
+    std::vector<RowKey> keys;
+    if (act != SQLITE_INSERT) keys.push_back(key_of(connection, table, sqlite3_preupdate_old));
+    if (act != SQLITE_DELETE) keys.push_back(key_of(connection, table, sqlite3_preupdate_new));
+    // What a trigger does this program has not done: it has none that changes rows.
+    if (sqlite3_preupdate_depth(connection) > 0) {
+      for (RowKey& key : keys) seals.changed_by_triggers_.emplace(*index, std::move(key));
+      return;
+    }
+    using Touched = RowSeals::Touched;
+    Touched touched{act == SQLITE_INSERT ? Touched::Act::added : Touched::Act::removed, ""};
+    if (act == SQLITE_UPDATE) {
+      touched = {Touched::Act::changed, said_by(connection, table, sqlite3_preupdate_old)};
+      // A wrong password was counted, no more.
+      if (table.has_unsealed() && said_by(connection, table, sqlite3_preupdate_new) == touched.said)
+        return;
+    }
+    for (RowKey& key : keys) seals.touched_.try_emplace({*index, std::move(key)}, touched);
   }
 };
 
@@ -82,6 +93,14 @@ RowSeals::RowSeals(soci::session& sql) : sql_(sql), tables_(sealed_tables(sql)) 
 
 RowSeals::~RowSeals() {
   sqlite3_preupdate_hook(connection_of(sql_), nullptr, nullptr);
+}
+
+std::optional<std::size_t> RowSeals::index_of(std::string_view table) const {
+  const auto found = std::lower_bound(
+      tables_.begin(), tables_.end(), table,
+      [](const SealedTable& one, std::string_view wanted) { return one.name < wanted; });
+  if (found == tables_.end() || found->name != table) return std::nullopt;
+  return static_cast<std::size_t>(found - tables_.begin());
 }
 
 const Secret* RowSeals::key() {
@@ -96,18 +115,53 @@ const Secret* RowSeals::key() {
   return nullptr;
 }
 
+RowReader& RowSeals::reader_of(std::size_t table) {
+  auto& reader = readers_[table];
+  if (!reader) reader = std::make_unique<RowReader>(sql_, tables_[table], RowReader::Which::one);
+  return *reader;
+}
+
+std::string RowSeals::last_hash(std::size_t table, const RowKey& row) {
+  // From the end on: what is changed was mostly written not long ago.
+  if (!last_line_)
+    last_line_ = std::make_unique<Statement>(
+        sql_,
+        "SELECT hash FROM main.row_seals WHERE of_table = ? AND of_row = ? ORDER BY id DESC "
+        "LIMIT 1");
+  last_line_->bind_text(1, tables_[table].name);
+  last_line_->bind_text(2, key_text(row));
+  std::string hash;
+  if (last_line_->next()) hash = last_line_->bytes(0);
+  last_line_->reset();
+  return hash;
+}
+
+bool RowSeals::is_as_sealed(std::string_view table, const RowKey& row) {
+  const auto index = index_of(table);
+  const Secret* const key_now = key();
+  RowReader& reader = reader_of(index.value());
+  const bool same = reader.find(row) && last_hash(*index, row) == bytes_of(reader.hash(key_now));
+  reader.done();
+  return same;
+}
+
 void RowSeals::seal() {
   if (touched_.empty()) return;
   const Secret* const key_now = key();
   SealWriter writer(sql_, key_now);
-  for (const auto& [index, row] : touched_) {
-    auto& reader = readers_[index];
-    if (!reader) reader = std::make_unique<RowReader>(sql_, tables_[index], RowReader::Which::one);
-    reader->find(row);
-    const bool present = reader->next();
-    const ContentHash hash = present ? reader->hash(key_now) : ContentHash{};
-    if (present) (void)reader->next();  // to its end: a statement that waits would hold a lock
-    writer.add(tables_[index].name, key_text(row), present ? &hash : nullptr);
+  for (const auto& [place, touched] : touched_) {
+    if (changed_by_triggers_.contains(place)) continue;
+    const auto& [index, row] = place;
+    const SealedTable& table = tables_[index];
+    RowReader& reader = reader_of(index);
+    const bool present = reader.find(row);
+    const ContentHash hash = present ? reader.hash(key_now) : ContentHash{};
+    const std::string salt = present ? reader.salt() : "";
+    reader.done();
+    if (present && touched.act == Touched::Act::changed &&
+        last_hash(index, row) != bytes_of(hash_of_row(key_now, table, touched.said + salt)))
+      continue;
+    writer.add(table.name, key_text(row), present ? &hash : nullptr);
   }
   writer.finish();
   touched_.clear();
@@ -116,15 +170,22 @@ void RowSeals::seal() {
 void RowSeals::seal_all() {
   const Secret* const key_now = key();
   SealWriter writer(sql_, key_now);
-  for (const SealedTable& table : tables_) {
-    RowReader reader(sql_, table, RowReader::Which::all);
+  for (std::size_t i = 0; i < tables_.size(); ++i) {
+    RowReader reader(sql_, tables_[i], RowReader::Which::all);
     while (reader.next()) {
+      const RowKey row = reader.key();
+      if (changed_by_triggers_.contains({i, row})) continue;
       const ContentHash hash = reader.hash(key_now);
-      writer.add(table.name, key_text(reader.key()), &hash);
+      writer.add(tables_[i].name, key_text(row), &hash);
     }
   }
   writer.finish();
   touched_.clear();
+}
+
+void RowSeals::end_transaction() noexcept {
+  touched_.clear();
+  changed_by_triggers_.clear();
 }
 
 }  // namespace isograsp::storage

@@ -7,7 +7,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -31,6 +33,8 @@ struct SealHead {
 };
 [[nodiscard]] SealHead seal_head(soci::session& sql);
 
+/// A row gets a seal only if this program made it, or changed what its last seal says: what another
+/// hand has changed stays without, whatever is done to it here.
 class RowSeals {
  public:
   /// From now on it notes which rows of `main` this connection touches.
@@ -46,19 +50,32 @@ class RowSeals {
   void key_from(KeySource source) { source_ = std::move(source); }
 
   // Inside a transaction; throw as SOCI does.
-  void seal();                                  ///< the rows that were touched
-  void seal_all();                              ///< every row of the file
-  void forget() noexcept { touched_.clear(); }  ///< the transaction was rolled back
+  void seal();      ///< the rows that were touched
+  void seal_all();  ///< every row of the file, but what triggers changed
+  void end_transaction() noexcept;
+  /// Of a row that this transaction has not touched. False too: there is none.
+  [[nodiscard]] bool is_as_sealed(std::string_view table, const RowKey& row);
 
  private:
   friend struct SealHook;
+  using Row = std::pair<std::size_t, RowKey>;  ///< table, key
+  /// What was done to a row first, since seal() was called last.
+  struct Touched {
+    enum class Act { added, changed, removed } act = Act::added;
+    std::string said;  ///< changed: before; without the salt
+  };
   [[nodiscard]] const Secret* key();
-  void touch(std::size_t table, RowKey key) { touched_.emplace(table, std::move(key)); }
+  [[nodiscard]] std::optional<std::size_t> index_of(std::string_view table) const;
+  [[nodiscard]] RowReader& reader_of(std::size_t table);
+  /// Empty: the row was removed, or never sealed.
+  [[nodiscard]] std::string last_hash(std::size_t table, const RowKey& row);
 
   soci::session& sql_;
   std::vector<SealedTable> tables_;
   std::vector<std::unique_ptr<RowReader>> readers_;  ///< of a table, once it is needed
-  std::set<std::pair<std::size_t, RowKey>> touched_;
+  std::unique_ptr<Statement> last_line_;             ///< once it is needed
+  std::map<Row, Touched> touched_;
+  std::set<Row> changed_by_triggers_;  ///< in this transaction
   KeySource source_;
   Secret last_key_;
 };

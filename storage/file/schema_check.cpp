@@ -22,8 +22,8 @@ std::vector<Text> schema_problems(soci::session& sql, int format) {
   // An emergency file says where it belongs in a table of its own.
   const std::string query =
       std::string(
-          "SELECT name, sql FROM sqlite_schema WHERE sql IS NOT NULL AND name <> "
-          "'emergency_origin'") +
+          "SELECT name, sql FROM sqlite_schema WHERE sql IS NOT NULL AND NOT (type = 'table' AND "
+          "name = 'emergency_origin')") +
       (format < kDatabaseFormat ? " AND type = 'trigger'" : "") + " ORDER BY name";
   soci::statement select = (sql.prepare << query, soci::into(name), soci::into(text));
   select.execute();

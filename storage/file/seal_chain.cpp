@@ -4,11 +4,8 @@
 #include <algorithm>
 
 #include <soci/soci.h>
-#include <soci/sqlite3/soci-sqlite3.h>
 
 namespace isograsp::storage {
-
-using namespace sqlite_api;
 
 namespace {
 
@@ -37,6 +34,14 @@ std::string seal_proof(const Secret* key, std::int64_t count, const std::string&
   return std::string(bytes_of(whole.hash()));
 }
 
+std::optional<SealAnchor> read_anchor(soci::session& sql) {
+  Statement select(sql, "SELECT count, chain, proof FROM main.row_seals_anchor WHERE id = 1");
+  if (!select.next()) return std::nullopt;
+  SealAnchor anchor{select.number(0), std::string(select.bytes(1)), std::string(select.bytes(2))};
+  select.reset();
+  return anchor;
+}
+
 SealHead seal_head(soci::session& sql) {
   SealHead head;
   long long count = 0;
@@ -46,57 +51,18 @@ SealHead seal_head(soci::session& sql) {
   return head;
 }
 
-/// A statement with bytes in it, which SOCI would copy into a BLOB of its own, one open of it a
-/// line.
-struct SealWriter::Insert {
-  Insert(soci::session& sql, const char* query)
-      : connection(static_cast<soci::sqlite3_session_backend*>(sql.get_backend())->conn_) {
-    must(sqlite3_prepare_v2(connection, query, -1, &compiled, nullptr));
-  }
-  Insert(const Insert&) = delete;
-  Insert& operator=(const Insert&) = delete;
-  ~Insert() { sqlite3_finalize(compiled); }
-  void must(int code) const {
-    if (code != SQLITE_OK) throw soci::sqlite3_soci_error(sqlite3_errmsg(connection), code);
-  }
-  void number(int at, std::int64_t value) { must(sqlite3_bind_int64(compiled, at, value)); }
-  void text(int at, const std::string& value) {
-    must(sqlite3_bind_text(compiled, at, value.data(), static_cast<int>(value.size()),
-                           SQLITE_STATIC));
-  }
-  void bytes(int at, const std::string& value) {  // none: NULL
-    must(value.empty() ? sqlite3_bind_null(compiled, at)
-                       : sqlite3_bind_blob(compiled, at, value.data(),
-                                           static_cast<int>(value.size()), SQLITE_STATIC));
-  }
-  void run() {
-    sqlite3_step(compiled);
-    must(sqlite3_reset(compiled));
-  }
-  sqlite3* connection;
-  sqlite3_stmt* compiled = nullptr;
-};
-
 SealWriter::SealWriter(soci::session& sql, const Secret* key)
     : sql_(sql),
       key_(key),
-      insert_(std::make_unique<Insert>(
-          sql,
-          "INSERT INTO row_seals (id, of_table, of_row, hash, chain) VALUES (?, ?, ?, ?, ?)")) {
+      insert_(sql,
+              "INSERT INTO row_seals (id, of_table, of_row, hash, chain) VALUES (?, ?, ?, ?, ?)") {
   // From the anchor on, so that a gap after a cut remains visible.
-  soci::blob chain(sql);
-  long long count = 0;
-  sql << "SELECT count, chain FROM row_seals_anchor", soci::into(count), soci::into(chain);
-  if (sql.got_data()) {
-    line_.chain.resize(chain.get_len());
-    if (!line_.chain.empty()) chain.read(0, line_.chain.data(), line_.chain.size());
-  }
+  const SealAnchor anchor = read_anchor(sql).value_or(SealAnchor{});
+  line_.chain = anchor.chain;
   long long last = 0;
   sql << "SELECT coalesce(max(id), 0) FROM row_seals", soci::into(last);
-  line_.number = std::max(count, last);
+  line_.number = std::max<std::int64_t>(anchor.count, last);
 }
-
-SealWriter::~SealWriter() = default;
 
 void SealWriter::add(const std::string& table, const std::string& row, const ContentHash* hash) {
   ++line_.number;
@@ -104,23 +70,23 @@ void SealWriter::add(const std::string& table, const std::string& row, const Con
   line_.row = row;
   line_.hash = hash != nullptr ? std::string(bytes_of(*hash)) : "";
   line_.chain = chain_of(key_, line_.chain, line_);
-  insert_->number(1, line_.number);
-  insert_->text(2, line_.table);
-  insert_->text(3, line_.row);
-  insert_->bytes(4, line_.hash);
-  insert_->bytes(5, line_.chain);
-  insert_->run();
+  insert_.bind(1, line_.number);
+  insert_.bind_text(2, line_.table);
+  insert_.bind_text(3, line_.row);
+  insert_.bind_bytes(4, line_.hash);
+  insert_.bind_bytes(5, line_.chain);
+  insert_.run();
 }
 
 void SealWriter::finish() {
   const std::string proof = seal_proof(key_, line_.number, line_.chain);
-  Insert anchor(sql_,
-                "INSERT INTO row_seals_anchor (id, count, chain, proof) VALUES (1, ?, ?, ?) "
-                "ON CONFLICT (id) DO UPDATE SET count = excluded.count, chain = excluded.chain, "
-                "proof = excluded.proof");
-  anchor.number(1, line_.number);
-  anchor.bytes(2, line_.chain);
-  anchor.bytes(3, proof);
+  Statement anchor(sql_,
+                   "INSERT INTO row_seals_anchor (id, count, chain, proof) VALUES (1, ?, ?, ?) "
+                   "ON CONFLICT (id) DO UPDATE SET count = excluded.count, chain = excluded.chain, "
+                   "proof = excluded.proof");
+  anchor.bind(1, line_.number);
+  anchor.bind_bytes(2, line_.chain);
+  anchor.bind_bytes(3, proof);
   anchor.run();
 }
 

@@ -2,7 +2,7 @@
 // The lines of row_seals: how they are chained and written. Inside storage/file/ only.
 #pragma once
 
-#include <memory>
+#include <optional>
 #include <string>
 
 #include "storage/crypto/content_hash.hpp"
@@ -25,21 +25,27 @@ struct SealLine {
 [[nodiscard]] std::string seal_proof(const Secret* key, std::int64_t count,
                                      const std::string& chain);
 
+/// How far the lines had come when the last one was written, and who says so.
+struct SealAnchor {
+  std::int64_t count = 0;
+  std::string chain;  ///< 32 bytes; empty: there was no line yet
+  std::string proof;
+};
+[[nodiscard]] std::optional<SealAnchor> read_anchor(soci::session& sql);
+
 /// Adds lines behind those that are there. Inside a transaction; throws as SOCI does.
 class SealWriter {
  public:
   SealWriter(soci::session& sql, const Secret* key);
-  ~SealWriter();
   /// `hash`: null: the row was removed.
   void add(const std::string& table, const std::string& row, const ContentHash* hash);
   void finish();  ///< says how far they have come
 
  private:
-  struct Insert;
   soci::session& sql_;
   const Secret* key_;
   SealLine line_;  ///< the last one
-  std::unique_ptr<Insert> insert_;
+  Statement insert_;
 };
 
 }  // namespace isograsp::storage

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Proves the lines of row_seals, and that every row is what its last line says.
 #include <algorithm>
-#include <cstring>
+#include <map>
+#include <set>
 #include <unordered_map>
 
 #include <soci/soci.h>
-#include <soci/sqlite3/soci-sqlite3.h>
 
 #include "storage/file/database.hpp"
 #include "storage/file/row_seals.hpp"
@@ -13,34 +13,36 @@
 
 namespace isograsp::storage {
 
-using namespace sqlite_api;
-
 namespace {
 
-/// More of one kind say no more.
-constexpr std::size_t kMostProblems = 1000;
+/// Of one table; the others are counted.
+constexpr std::size_t kMostProblems = 100;
 
-/// What the last line of each row says; empty: removed.
+/// What the last line of each row of a table says; empty: removed.
 using LastSeals = std::unordered_map<std::string, std::string>;
 
 class SealProof {
  public:
-  SealProof(soci::session& sql, const Secret* key) : sql_(sql), key_(key) {}
+  /// Rows of the tables `wanted` are asked for later, of no others.
+  SealProof(soci::session& sql, const Secret* key, const std::set<std::string>& wanted)
+      : sql_(sql), key_(key) {
+    for (const std::string& table : wanted) last_[table];
+  }
 
   void prove_lines() {
-    SealLine line;
     std::string before;
     std::int64_t expected = 1;
     bool keyed = false;
     read_lines([&](const SealLine& one) {
       if (one.number != expected)
-        add("row_seals: rows %1 to %2 are missing"_text(expected, one.number - 1));
+        add("row_seals", "row_seals: rows %1 to %2 are missing"_text(expected, one.number - 1));
       else if (chain_of(key_, before, one) == one.chain) {
         keyed = true;
-        last_[name_of(one.table, one.row)] = one.hash;
+        if (const auto table = last_.find(one.table); table != last_.end())
+          table->second[one.row] = one.hash;
       } else if (key_ == nullptr || keyed || chain_of(nullptr, before, one) != one.chain) {
         // Before a database is protected its lines have no key; they prove nothing any more.
-        add("row_seals: row %1 or one before it was changed"_text(one.number));
+        add("row_seals", "row_seals: row %1 or one before it was changed"_text(one.number));
       }
       before = one.chain;
       expected = one.number + 1;
@@ -49,89 +51,68 @@ class SealProof {
   }
 
   void prove_rows(const SealedTable& table) {
+    LastSeals& last = last_[table.name];
     RowReader reader(sql_, table, RowReader::Which::all);
     while (reader.next()) {
       const std::string row = key_text(reader.key());
-      const auto found = last_.find(name_of(table.name, row));
-      if (found == last_.end() || found->second.empty()) {
-        add("%1: row %2 was not written by isograsp"_text(table.name, row));
+      const auto found = last.find(row);
+      if (found == last.end() || found->second.empty()) {
+        add(table.name, "%1: row %2 was not written by isograsp"_text(table.name, row));
       } else {
         const ContentHash hash = reader.hash(key_);
         if (found->second != bytes_of(hash))
-          add("%1: row %2 is not what isograsp wrote"_text(table.name, row));
+          add(table.name, "%1: row %2 is not what isograsp wrote"_text(table.name, row));
         found->second.clear();  // seen: a second row of this name is one too many
       }
     }
-    for (const auto& [name, hash] : last_)
-      if (!hash.empty() && name.starts_with(table.name + "\n"))
-        missing_.push_back(name.substr(table.name.size() + 1));
-    std::sort(missing_.begin(), missing_.end());
-    for (const std::string& row : missing_) add("%1: row %2 is missing"_text(table.name, row));
-    missing_.clear();
+    std::vector<std::string> missing;
+    for (const auto& [row, hash] : last)
+      if (!hash.empty()) missing.push_back(row);
+    std::sort(missing.begin(), missing.end());
+    for (const std::string& row : missing)
+      add(table.name, "%1: row %2 is missing"_text(table.name, row));
   }
 
-  [[nodiscard]] std::vector<Text> problems() { return std::move(problems_); }
+  [[nodiscard]] std::vector<Text> problems() {
+    for (const auto& [table, count] : counts_)
+      if (count > kMostProblems)
+        problems_.push_back(
+            "%1: %2 more of its rows are not sound"_text(table, count - kMostProblems));
+    return std::move(problems_);
+  }
 
  private:
-  static std::string name_of(const std::string& table, const std::string& row) {
-    return table + "\n" + row;
-  }
-
-  void add(Text problem) {
-    if (problems_.size() < kMostProblems) problems_.push_back(std::move(problem));
+  void add(const std::string& table, Text problem) {
+    if (++counts_[table] <= kMostProblems) problems_.push_back(std::move(problem));
   }
 
   template <class Take>
   void read_lines(Take take) {
-    sqlite3* const connection =
-        static_cast<soci::sqlite3_session_backend*>(sql_.get_backend())->conn_;
-    sqlite3_stmt* select = nullptr;
-    const int prepared = sqlite3_prepare_v2(
-        connection, "SELECT id, of_table, of_row, hash, chain FROM main.row_seals ORDER BY id", -1,
-        &select, nullptr);
-    const std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)> owned(select, sqlite3_finalize);
-    const auto must = [&](int code) {
-      if (code != SQLITE_OK) throw soci::sqlite3_soci_error(sqlite3_errmsg(connection), code);
-    };
-    must(prepared);
-    const auto bytes = [&](int column) {
-      const void* const data = sqlite3_column_blob(select, column);
-      return std::string(static_cast<const char*>(data),
-                         static_cast<std::size_t>(sqlite3_column_bytes(select, column)));
-    };
-    while (sqlite3_step(select) == SQLITE_ROW)
-      take({sqlite3_column_int64(select, 0), bytes(1), bytes(2), bytes(3), bytes(4)});
-    must(sqlite3_reset(select));
+    Statement select(sql_,
+                     "SELECT id, of_table, of_row, hash, chain FROM main.row_seals ORDER BY id");
+    const auto text = [&](int column) { return std::string(select.bytes(column)); };
+    while (select.next()) take({select.number(0), text(1), text(2), text(3), text(4)});
   }
 
   void prove_anchor(std::int64_t last, const std::string& chain) {
-    soci::blob noted(sql_);
-    soci::blob proof(sql_);
-    long long count = 0;
+    const std::string table = "row_seals_anchor";
     long long other = 0;
     sql_ << "SELECT coalesce(max(id), 0) FROM row_seals_anchor WHERE id <> 1", soci::into(other);
-    if (other != 0) add("row_seals_anchor: row %1 was not written by isograsp"_text(other));
-    sql_ << "SELECT count, chain, proof FROM row_seals_anchor WHERE id = 1", soci::into(count),
-        soci::into(noted), soci::into(proof);
-    if (!sql_.got_data()) {
-      add("row_seals_anchor: row 1 is missing"_text);
-      return;
-    }
-    const auto text = [](soci::blob& blob) {
-      std::string bytes(blob.get_len(), '\0');
-      if (!bytes.empty()) blob.read(0, bytes.data(), bytes.size());
-      return bytes;
-    };
-    if (text(proof) != seal_proof(key_, count, text(noted)))
-      add("row_seals_anchor: row 1 was changed"_text);
-    else if (count != last || text(noted) != chain)
-      add("row_seals: it ends with row %1, its anchor says %2"_text(last, count));
+    if (other != 0) add(table, "row_seals_anchor: row %1 was not written by isograsp"_text(other));
+    const auto anchor = read_anchor(sql_);
+    if (!anchor)
+      add(table, "row_seals_anchor: row 1 is missing"_text);
+    else if (anchor->proof != seal_proof(key_, anchor->count, anchor->chain))
+      add(table, "row_seals_anchor: row 1 was changed"_text);
+    else if (anchor->count != last || anchor->chain != chain)
+      add("row_seals",
+          "row_seals: it ends with row %1, its anchor says %2"_text(last, anchor->count));
   }
 
   soci::session& sql_;
   const Secret* key_;
-  LastSeals last_;
-  std::vector<std::string> missing_;
+  std::map<std::string, LastSeals, std::less<>> last_;
+  std::map<std::string, std::size_t, std::less<>> counts_;  ///< of problems, by table
   std::vector<Text> problems_;
 };
 
@@ -141,11 +122,16 @@ Result<std::vector<Text>> seal_problems(Database& database, const Secret* key,
                                         std::span<const std::string_view> only) {
   std::vector<Text> problems;
   const auto done = database.snapshot("checking the seals"_text, [&] {
-    SealProof proof(database.sql(), key);
+    std::vector<SealedTable> tables = sealed_tables(database.sql());
+    if (!only.empty())
+      std::erase_if(tables, [only](const SealedTable& one) {
+        return std::find(only.begin(), only.end(), one.name) == only.end();
+      });
+    std::set<std::string> names;
+    for (const SealedTable& table : tables) names.insert(table.name);
+    SealProof proof(database.sql(), key, names);
     proof.prove_lines();
-    for (const SealedTable& table : sealed_tables(database.sql()))
-      if (only.empty() || std::find(only.begin(), only.end(), table.name) != only.end())
-        proof.prove_rows(table);
+    for (const SealedTable& table : tables) proof.prove_rows(table);
     problems = proof.problems();
   });
   if (!done) return done.error();

@@ -117,6 +117,10 @@ Result<void> SqliteStore::pack_trial(RowId id) {
   return database_.transact("packing signals"_text, [&] {
     const auto trial = unpacked_trial(id);
     if (!trial) return;  // somebody else has done it
+    if (!is_as_sealed("trials", id))
+      throw Refusal{failed("%1: row %2 is not what isograsp wrote"_text("trials", id),
+                           "run isograsp db check, then restore the last backup"_text)
+                        .at(path())};
     ContentHasher whole;
     for (std::size_t g = 0; g < trial->groups.size(); ++g) {
       add_group(trial->groups[g], whole);

@@ -93,11 +93,13 @@ class SqliteStore final : public SessionStore {
   [[nodiscard]] Result<std::vector<Text>> check() override;
   [[nodiscard]] Result<void> backup(const std::string& to) override;
 
-  /// Marks trials that nobody records any more as interrupted, and packs them.
+  /// Marks trials that nobody records any more as interrupted, and packs them; but those whose row
+  /// is not what its seal says.
   [[nodiscard]] Result<void> repair();
   /// Closed trials whose signals are in blocks of a second.
   [[nodiscard]] Result<std::vector<RowId>> unpacked();
-  /// Puts the blocks of a closed trial together, in one transaction; if it fails they stay.
+  /// Puts the blocks of a closed trial together, in one transaction; if it fails they stay. Refused
+  /// where the row of the trial is not what its seal says: it would get a new one.
   [[nodiscard]] Result<void> pack_trial(RowId trial);
   /// The same; why it failed becomes an event of the session.
   void pack_or_note(RowId trial);
@@ -106,6 +108,9 @@ class SqliteStore final : public SessionStore {
 
   // For stores that wrap this one.
   [[nodiscard]] Database& database() noexcept { return database_; }
+  /// backup(); `prove` tells what else is wrong with the copy before it gets its name.
+  using Proof = std::function<Result<std::vector<Text>>(Database& copy)>;
+  [[nodiscard]] Result<void> copy_if_sound(const std::string& to, const Proof& prove);
   /// check(), where what is known of people is read through `door`, which may open what is sealed.
   [[nodiscard]] Result<std::vector<Text>> check_through(SessionStore& door);
   struct Added {
@@ -156,6 +161,8 @@ class SqliteStore final : public SessionStore {
   void pack_group(const TrialRecord& trial, std::size_t group, ContentHasher& whole);
   /// What packing needs of a trial; nothing: it is packed, runs or does not exist.
   [[nodiscard]] std::optional<TrialRecord> unpacked_trial(RowId id);
+  /// Does a row say what this program wrote? True where there are no seals. Throws.
+  [[nodiscard]] bool is_as_sealed(const char* table, RowId row);
   /// Throws a refusal if the table has no such row; `one`: what a row is called.
   void require(const char* table, Words one, RowId id);
   /// A new one; in a scratch file that of `name`: what is made of simulated people for a moment is

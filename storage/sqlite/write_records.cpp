@@ -39,13 +39,23 @@ Result<void> SqliteStore::repair() {
   if (!lock) return lock.error();
   if (!lock->held()) return {};  // somebody records: those trials may be theirs
   const auto marked = database_.transact("marking interrupted trials"_text, [&] {
-    database_.sql() << "UPDATE trials SET status = 'interrupted', sample_count = "
-                       "(SELECT coalesce(sum(row_count), 0) FROM signal_blocks "
-                       "WHERE trial_id = trials.id AND position = 0) WHERE status = 'running'";
+    // Of others nothing is known: they stay as they are, and `db check` names them.
+    std::erase_if(running, [this](RowId trial) { return !is_as_sealed("trials", trial); });
+    for (const RowId trial : running)
+      database_.sql() << "UPDATE trials SET status = 'interrupted', sample_count = "
+                         "(SELECT coalesce(sum(row_count), 0) FROM signal_blocks "
+                         "WHERE trial_id = trials.id AND position = 0) "
+                         "WHERE id = :id AND status = 'running'",
+          soci::use(trial);
   });
   if (!marked) return marked.error();
   for (const RowId trial : running) pack_or_note(trial);
   return {};
+}
+
+bool SqliteStore::is_as_sealed(const char* table, RowId row) {
+  return database_.seals() == nullptr ||
+         database_.seals()->is_as_sealed(table, {std::to_string(row)});
 }
 
 std::string SqliteStore::new_uuid(const std::string& name) const {

@@ -151,6 +151,44 @@ TEST_F(Attacked, AForeignTriggerIsNamedSealsNothingAndIsInNoBackup) {
   EXPECT_FALSE(Backups(path).make(std::time(nullptr)).ok());
 }
 
+/// The name of a table that emergency files have.
+TEST_F(Attacked, AForeignTriggerIsNamedWhateverItsName) {
+  execute(
+      {"CREATE TRIGGER emergency_origin AFTER INSERT ON patients BEGIN UPDATE patients SET "
+       "created_utc = '1999-01-01T00:00:00Z' WHERE id = 1; END"});
+  const auto problems = must(opened(path, OpenMode::existing)->check());
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(english(problems[0]), "sqlite_schema: emergency_origin was not made by isograsp");
+}
+
+/// Of the rows that the program writes in the same transaction, too; and after the trigger is gone.
+TEST_F(Attacked, ARowThatATriggerChangesGetsNoSealThoughTheProgramWritesItToo) {
+  const std::string mine = "created_utc = '1999-01-01T00:00:00Z' WHERE id = NEW.id; END";
+  execute({"CREATE TRIGGER one AFTER INSERT ON patients BEGIN UPDATE patients SET " + mine,
+           "CREATE TRIGGER two AFTER UPDATE OF affected ON patient_profiles BEGIN UPDATE "
+           "patient_profiles SET notes = '' WHERE patient_id = NEW.patient_id; END",
+           "CREATE TRIGGER three BEFORE UPDATE OF dominant ON patient_profiles BEGIN DELETE FROM "
+           "treatment_marks; END"});
+  {
+    const auto store = opened(path, OpenMode::existing);
+    must(store->add_patient("P-2"));
+    must(store->set_profile(1, {Side::left, Hand::right, "", "a note", "a goal"}));
+    must(store->add_treatment_mark(1, {0, "2026-02-01", "drug", "a mark"}));
+    must(store->set_profile(1, {Side::right, Hand::right, "", "a note", "a goal"}));
+  }
+  execute({"DROP TRIGGER one", "DROP TRIGGER two", "DROP TRIGGER three"});
+  const std::vector<std::string> expected{"patient_profiles: row 1 is not what isograsp wrote",
+                                          "patients: row 2 was not written by isograsp",
+                                          "treatment_marks: row 1 is missing"};
+  for (const bool changed_again : {false, true}) {
+    const auto store = opened(path, OpenMode::existing);
+    if (changed_again) must(store->set_profile(1, {Side::none, {}, "", "a note", "a goal"}));
+    std::vector<std::string> found;
+    for (const Text& one : must(store->check())) found.push_back(english(one));
+    EXPECT_EQ(found, expected);
+  }
+}
+
 TEST_F(Attacked, AForeignTableAndAMissingIndexAreNamed) {
   execute({"CREATE TABLE theirs (id INTEGER)", "DROP INDEX events_of_session"});
   const auto problems = must(opened(path, OpenMode::existing)->check());

@@ -14,6 +14,7 @@
 #include "storage/file/database.hpp"
 #include "storage/person/identity.hpp"
 #include "tests/storage/examples.hpp"
+#include "tests/storage/sealed_write.hpp"
 #include "tests/support/every.hpp"
 
 namespace isograsp::storage::migration_test {
@@ -201,14 +202,14 @@ TEST_P(Migration, OfADamagedTrialPacksTheOthersAndGoesOnLater) {
   TrialRecord trial = example_trial(must(store->sessions(1)).at(0).id, 9);
   trial.id = must(store->begin_trial(trial));
   must(store->append_blocks(trial.id, 0, example_rows(trial, 100, 1)));
-  soci::session sql(soci::sqlite3, "db=\"" + path + "\"");
-  sql << "UPDATE trials SET status = 'interrupted', sample_count = 200 WHERE number = 9";
+  write_sealed(path,
+               "UPDATE trials SET status = 'interrupted', sample_count = 200 WHERE number = 9");
   const auto damaged = must(migrate_database(path));
   EXPECT_EQ(damaged.packed, 0);
   ASSERT_EQ(damaged.not_packed.size(), 1u);
   EXPECT_NE(english(damaged.not_packed[0]).find("second 1: the block is missing"),
             std::string::npos);
-  sql << "UPDATE trials SET sample_count = 100 WHERE number = 9";
+  write_sealed(path, "UPDATE trials SET sample_count = 100 WHERE number = 9");
   EXPECT_EQ(must(migrate_database(path)).packed, 1);
 }
 

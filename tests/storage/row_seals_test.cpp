@@ -380,8 +380,7 @@ TEST(RowHash, OfEqualRowsOfTwoPeopleDiffers) {
     for (const SealedTable& table : sealed_tables(sql))
       if (table.name == "patient_profiles") {
         RowReader reader(sql, table, RowReader::Which::one);
-        reader.find({"1"});
-        EXPECT_TRUE(reader.next());
+        EXPECT_TRUE(reader.find({"1"}));
         return reader.hash(nullptr);
       }
     return ContentHash{};

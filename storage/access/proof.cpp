@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "storage/access/proof.hpp"
+
+#include "storage/access/audit_chain.hpp"
+#include "storage/access/audit_check.hpp"
+#include "storage/file/schema_access.hpp"
+#include "storage/file/schema_check.hpp"
+
+namespace isograsp::storage {
+
+Result<std::vector<Text>> changes_by_others(Database& database, const LoginState& state) {
+  std::vector<Text> problems;
+  if (database.format() < schema::kAccessFormat) return problems;
+  auto of_log = audit_problems(database, state);
+  if (!of_log || database.format() < schema::kSealFormat) return of_log;
+  problems = *std::move(of_log);
+  const Login login = state.login();
+  const auto of_rows = seal_problems(database, audit_key(login));
+  if (!of_rows) return of_rows.error();
+  problems.insert(problems.end(), of_rows->begin(), of_rows->end());
+  return problems;
+}
+
+Result<void> prove(Database& database, const LoginState& state) {
+  std::vector<Text> problems;
+  const auto read = database.guard(
+      "checking"_text, [&] { problems = schema_problems(database.sql(), database.format()); });
+  if (!read) return read;
+  const auto changes = changes_by_others(database, state);
+  if (!changes) return changes.error();
+  problems.insert(problems.end(), changes->begin(), changes->end());
+  if (problems.empty()) return {};
+  return failed("was changed by another program: %1"_text(problems.front()),
+                "run isograsp db check, then restore the last backup"_text)
+      .at(database.path());
+}
+
+Result<void> prove_file(const std::string& path) {
+  auto database = Database::open(path, OpenMode::read_only);
+  if (!database) return database.error();
+  std::shared_ptr<LoginState> state;
+  const auto read = database->guard("opening"_text, [&] { state = login_state_of(*database); });
+  if (!read) return read;
+  return prove(*database, *state);
+}
+
+}  // namespace isograsp::storage

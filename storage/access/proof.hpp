@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Is a file what this program has made of it? Asked before anything gets new seals for what is
+// there, and of every backup. Inside storage/ only.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "storage/access/login.hpp"
+
+namespace isograsp::storage {
+
+/// What seals and audit log tell of another hand; of an older format as much as it has. @pre no
+/// transaction is open, a protected database has its key
+[[nodiscard]] Result<std::vector<Text>> changes_by_others(Database& database,
+                                                          const LoginState& state);
+/// Refused with the first of them, or of what of the schema is not ours.
+[[nodiscard]] Result<void> prove(Database& database, const LoginState& state);
+/// The same on a connection of its own.
+[[nodiscard]] Result<void> prove_file(const std::string& path);
+
+}  // namespace isograsp::storage

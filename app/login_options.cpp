@@ -35,7 +35,8 @@ Result<void> log_in_to(storage::Access& access, const LoginOptions& options) {
 
 Result<std::unique_ptr<storage::Access>> logged_in(Result<std::unique_ptr<storage::Access>> access,
                                                    const std::string& database,
-                                                   const LoginOptions& options) {
+                                                   const LoginOptions& options,
+                                                   bool is_copy = false) {
   if (!access) return access.error();
   const bool asks = (*access)->is_protected();
   if (asks && !options.given())
@@ -47,7 +48,8 @@ Result<std::unique_ptr<storage::Access>> logged_in(Result<std::unique_ptr<storag
         .at(database);
   if (asks)
     if (const auto done = log_in_to(**access, options); !done) return done.error();
-  for (const Text& notice : (*access)->notices()) print_note(notice);
+  if (!is_copy)
+    for (const Text& notice : (*access)->notices()) print_note(notice);
   return access;
 }
 
@@ -96,8 +98,8 @@ Result<std::unique_ptr<storage::Access>> log_in_to_migrate(const std::string& da
 }
 
 Result<std::unique_ptr<storage::Access>> open_access(const std::string& database,
-                                                     const LoginOptions& options) {
-  return logged_in(storage::Access::open(database), database, options);
+                                                     const LoginOptions& options, bool is_copy) {
+  return logged_in(storage::Access::open(database), database, options, is_copy);
 }
 
 }  // namespace isograsp::app

@@ -30,8 +30,10 @@ struct LoginOptions {
 [[nodiscard]] Result<std::unique_ptr<storage::Access>> log_in_to_migrate(
     const std::string& database, const LoginOptions& options);
 /// The same for commands that are about access itself: the database must exist and be of the
-/// current format.
+/// current format. `is_copy`: what login finds strange of a copy that this program has just made
+/// (nothing stands beside it) is not said.
 [[nodiscard]] Result<std::unique_ptr<storage::Access>> open_access(const std::string& database,
-                                                                   const LoginOptions& options);
+                                                                   const LoginOptions& options,
+                                                                   bool is_copy = false);
 
 }  // namespace isograsp::app

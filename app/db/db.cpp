@@ -157,7 +157,7 @@ Result<void> backup(const DbOptions& options) {
 Result<void> restore(const DbOptions& options) {
   const auto done = storage::restore_backup(
       options.from, options.file,
-      [&options](const std::string& copy) { return open_access(copy, options.login); });
+      [&options](const std::string& copy) { return open_access(copy, options.login, true); });
   if (!done) return done.error();
   Json json{{"file", options.file}, {"restored_from", options.from}};
   Lines text = "%1: restored from %2 and checked"_text(options.file, options.from);

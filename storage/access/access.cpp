@@ -3,7 +3,6 @@
 #include "storage/access/access.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <ctime>
 #include <filesystem>
@@ -14,6 +13,7 @@
 #include "storage/access/accounts.hpp"
 #include "storage/access/audit_chain.hpp"
 #include "storage/access/audit_head_file.hpp"
+#include "storage/access/proof.hpp"
 #include "storage/access/user_rows.hpp"
 #include "storage/file/open_mode.hpp"
 #include "storage/file/schema_access.hpp"
@@ -46,16 +46,10 @@ void take_in_failures(Database& database, const LoginState& state) {
   sql << "DELETE FROM login_failures";
 }
 
-/// A revoked account or an old passphrase that was put back opens nothing.
-Result<void> prove_accounts(Database& database, const Secret& key) {
-  if (database.format() < schema::kSealFormat) return {};
-  constexpr std::array<std::string_view, 2> kAccounts{"key_slots", "users"};
-  const auto problems = seal_problems(database, &key, kAccounts);
-  if (!problems) return problems.error();
-  if (problems->empty()) return {};
-  return failed("accounts or seals were changed by another program: %1"_text(problems->front()),
-                "put back the last backup: isograsp db restore"_text)
-      .at(database.path());
+/// The password was right. Inside a transaction.
+void forget_wrong(soci::session& sql, RowId slot) {
+  sql << "UPDATE key_slots SET failed_count = 0, retry_at_unix_s = 0 WHERE id = :id",
+      soci::use(slot);
 }
 
 Result<void> open_for(Access::Parts& parts, SlotOwner owner, const Secret& password,
@@ -84,7 +78,8 @@ Result<void> open_for(Access::Parts& parts, SlotOwner owner, const Secret& passw
                                       : parts.database.guard("logging in"_text, look);
   if (!counted) return counted.error();
   if (wait > 0)
-    return refused("too many wrong passwords"_text, "wait %1 s, then try again"_text(wait))
+    return refused("too many wrong passwords, or several people log in at this moment"_text,
+                   "wait %1 s, then try again"_text(wait))
         .at(path);
 
   auto keys = slot ? open_slot(*slot, owner, password) : std::nullopt;
@@ -104,7 +99,13 @@ Result<void> open_for(Access::Parts& parts, SlotOwner owner, const Secret& passw
                    next == 0 ? "try again"_text : "wait %1 s, then try again"_text(next))
         .at(path);
   }
-  if (const auto proved = prove_accounts(parts.database, keys->audit); !proved) return proved;
+  if (const auto proved = prove_accounts(parts.database, keys->audit); !proved) {
+    // The password was right: who tries it again is told the same, not to wait.
+    if (parts.writable)
+      static_cast<void>(parts.database.transact(
+          "logging in"_text, [&] { forget_wrong(parts.database.sql(), slot->id); }));
+    return proved;
+  }
 
   const Login before = parts.login->login();
   parts.login->set({std::make_shared<const Keys>(*std::move(keys)), owner.user, false});
@@ -114,8 +115,7 @@ Result<void> open_for(Access::Parts& parts, SlotOwner owner, const Secret& passw
   auto logged = audited(parts.database, *parts.login, entry, [&] {
     return parts.database.transact("logging in"_text, [&] {
       soci::session& sql = parts.database.sql();
-      sql << "UPDATE key_slots SET failed_count = 0, retry_at_unix_s = 0 WHERE id = :id",
-          soci::use(slot->id);
+      forget_wrong(sql, slot->id);
       if (owner.kind == SlotKind::user)
         sql << "UPDATE users SET pin_failed_count = 0 WHERE id = :id", soci::use(owner.user.id);
       take_in_failures(parts.database, *parts.login);

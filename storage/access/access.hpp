@@ -99,8 +99,8 @@ class Access {
   [[nodiscard]] Result<void> log_in_with_passphrase(const Secret& passphrase);
   /// Blanks, '-' and capital letters are ignored.
   [[nodiscard]] Result<void> log_in_with_recovery_key(const Secret& key);
-  /// What the last login found strange though it opened: an older file that was put back. To be
-  /// said to who logged in.
+  /// What the last login found strange though it opened: an older file that was put back, no
+  /// FILE-audit beside it. To be said to who logged in.
   [[nodiscard]] std::vector<Text> notices() const;
   /// Names another person (or the same one again, after a lock) without a password: only in a
   /// process that somebody with keys for as much has opened. Three wrong ones: the password.

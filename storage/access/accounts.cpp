@@ -7,6 +7,7 @@
 #include <sodium.h>
 
 #include "storage/access/audit_chain.hpp"
+#include "storage/access/proof.hpp"
 #include "storage/access/user_rows.hpp"
 
 namespace isograsp::storage {
@@ -281,6 +282,8 @@ Result<void> Access::switch_user(const std::string& name, const Secret& pin) {
                      check->data()[check->size() - 1] == 0 &&
                      crypto_pwhash_str_verify(reinterpret_cast<const char*>(check->data()),
                                               pin.text().data(), pin.size()) == 0;
+  if (right)
+    if (auto proved = prove_accounts(parts_->database, before.keys->audit); !proved) return proved;
   parts_->login->count_pin(user->id, right);
   AuditEntry entry = entry_of("switch user", user->name);
   if (!right) entry.result = "refused";

@@ -106,13 +106,21 @@ std::vector<Text> notices_of_head(Database& database, const LoginState& state) {
   const Login login = state.login();
   const HeadFile there =
       read_head_file(database.real_path(), audit_key(login), state.database_id());
-  if (!there.present) return {};
-  if (!there.head) return {"audit log: the file -audit beside the database was changed"_text};
+  if (there.present && !there.head)
+    return {"audit log: the file -audit beside the database was changed"_text};
+  int entries = 0;
   std::string hash;
+  const std::int64_t at = there.head ? there.head->count : 0;
   const auto read = database.guard("reading the audit log"_text, [&] {
-    database.sql() << "SELECT hash FROM audit_log WHERE id = :id", soci::use(there.head->count),
-        soci::into(hash);
+    soci::session& sql = database.sql();
+    sql << "SELECT count(*) FROM (SELECT 1 FROM audit_log LIMIT 1)", soci::into(entries);
+    sql << "SELECT hash FROM audit_log WHERE id = :id", soci::use(at), soci::into(hash);
   });
+  if (!there.present) {
+    if (read && entries == 0) return {};  // of a database that is being made
+    return {
+        "there is no file -audit beside the database; where the database was not copied or moved, somebody has removed it, and that it is older than it once was would not be noticed"_text};
+  }
   if (read && hash == there.head->hash) return {};
   return {
       "the file is older than its audit log once was, or was cut: entry %1 is not there (run isograsp db check)"_text(

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "storage/access/proof.hpp"
 
+#include <array>
+#include <string_view>
+
 #include "storage/access/audit_chain.hpp"
 #include "storage/access/audit_check.hpp"
 #include "storage/file/schema_access.hpp"
@@ -32,6 +35,17 @@ Result<void> prove(Database& database, const LoginState& state) {
   if (problems.empty()) return {};
   return failed("was changed by another program: %1"_text(problems.front()),
                 "run isograsp db check, then restore the last backup"_text)
+      .at(database.path());
+}
+
+Result<void> prove_accounts(Database& database, const Secret& key) {
+  if (database.format() < schema::kSealFormat) return {};
+  constexpr std::array<std::string_view, 2> kAccounts{"key_slots", "users"};
+  const auto problems = seal_problems(database, &key, kAccounts);
+  if (!problems) return problems.error();
+  if (problems->empty()) return {};
+  return failed("accounts or seals were changed by another program: %1"_text(problems->front()),
+                "put back the last backup: isograsp db restore"_text)
       .at(database.path());
 }
 

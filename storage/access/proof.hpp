@@ -16,7 +16,10 @@ namespace isograsp::storage {
                                                           const LoginState& state);
 /// Refused with the first of them, or of what of the schema is not ours.
 [[nodiscard]] Result<void> prove(Database& database, const LoginState& state);
-/// The same on a connection of its own.
+/// The same of accounts and key slots alone: a revoked account, an old passphrase or PIN that was
+/// put back opens nothing. `key`: of the audit log.
+[[nodiscard]] Result<void> prove_accounts(Database& database, const Secret& key);
+/// prove() on a connection of its own.
 [[nodiscard]] Result<void> prove_file(const std::string& path);
 
 }  // namespace isograsp::storage

@@ -72,10 +72,14 @@ Result<void> prepare(const std::string& copy, const std::string& backup, const s
   auto source = Database::open(backup, OpenMode::read_only);
   if (!source) return source.error();
   const bool current = source->format() == kDatabaseFormat;
+  if (!current && is_protected_database(backup))  // nobody logs in to an older format
+    return refused("is protected and has the older format %1"_text(source->format()),
+                   "run isograsp db migrate on a copy of it, then restore from that"_text)
+        .at(backup);
   // Not through a store: the backup stays as it is, its audit log too.
   if (auto copied = SqliteStore(*std::move(source)).backup(copy); !copied) return copied;
   std::unique_ptr<Access> access;
-  if (current) {  // files of older formats have no login
+  if (current) {
     auto opened = log_in(copy);
     if (!opened) return opened.error();
     access = *std::move(opened);

@@ -94,6 +94,46 @@ TEST_F(Attacked, ARevokedAccountThatIsPutBackOpensNothing) {
   EXPECT_FALSE(access->user());
 }
 
+/// While the window is open, under somebody else's login.
+TEST_F(Attacked, NeitherARevokedAccountNorAnOldPinThatIsPutBackIsReachedByThePin) {
+  const std::string before = copy("before.db");
+  const std::vector<std::string> put_back{"ATTACH DATABASE '" + before + "' AS old",
+                                          "PRAGMA foreign_keys=OFF", "DELETE FROM users",
+                                          "INSERT INTO users SELECT * FROM old.users"};
+  must(set_own_pin(*access, secret("3691")));
+  as("Ada");
+  execute(put_back);
+  EXPECT_NE(refusal(access->switch_user("Theo", secret("2580"))).find("users: row 2 is not"),
+            std::string::npos);
+  EXPECT_EQ(access->user()->name, "Ada");
+  EXPECT_NE(refusal(access->switch_user("Theo", secret("3691"))), "");
+}
+
+TEST_F(Attacked, ARevokedAccountThatIsPutBackIsNotReachedByItsPin) {
+  const std::string before = copy("before.db");
+  as("Ada");
+  must(remove_user(*access, "Theo"));
+  execute({"ATTACH DATABASE '" + before + "' AS old", "PRAGMA foreign_keys=OFF",
+           "DELETE FROM users", "DELETE FROM key_slots",
+           "INSERT INTO users SELECT * FROM old.users",
+           "INSERT INTO key_slots SELECT * FROM old.key_slots"});
+  EXPECT_NE(refusal(access->switch_user("Theo", secret("2580"))).find("key_slots: row"),
+            std::string::npos);
+  EXPECT_EQ(access->user()->name, "Ada");
+}
+
+/// Who has the right one is told what is wrong with the file, however often they try.
+TEST_F(Attacked, ARightPasswordIsNeverCountedAsAWrongOneWhereSealsDoNotProve) {
+  access.reset();
+  execute({"UPDATE users SET created_utc = '1999-01-01T00:00:00Z' WHERE name = 'Rita'"});
+  access = must(Access::open(path, [this] { return now_s; }));
+  for (int time = 0; time < 6; ++time)
+    EXPECT_NE(refusal(access->log_in_with_passphrase(secret("the clinic's passphrase")))
+                  .find("users: row 3 is not what isograsp wrote"),
+              std::string::npos)
+        << time;
+}
+
 TEST_F(Attacked, AnOldPassphraseThatIsPutBackOpensNothing) {
   const std::string before = copy("before.db");
   as("Ada");
@@ -134,6 +174,17 @@ TEST_F(Attacked, AnOlderFileThatIsPutBackIsSaidAtLogin) {
   as("Theo");
   ASSERT_EQ(access->notices().size(), 1u);
   EXPECT_NE(english(access->notices()[0]).find("older"), std::string::npos);
+}
+
+TEST_F(Attacked, ARemovedAuditHeadIsSaidAtTheNextLogin) {
+  access.reset();
+  fs::remove(path + "-audit");
+  access = must(Access::open(path));
+  as("Theo");
+  ASSERT_EQ(access->notices().size(), 1u);
+  EXPECT_NE(english(access->notices()[0]).find("there is no file -audit"), std::string::npos);
+  as("Theo");
+  EXPECT_TRUE(access->notices().empty()) << "it is made anew";
 }
 
 /// It would run with whoever writes, and travel with every backup.

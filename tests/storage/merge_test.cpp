@@ -337,7 +337,6 @@ TEST_F(Merge, OfATrialThatIsPackedInOneFileOnlyComparesItsValues) {
   }
 }
 
-/// At another station the person was erased: gone in both files afterwards, or a conflict.
 TEST_F(Merge, TakesInNothingThatAnotherProgramHasChanged) {
   make_station(a, "A-1", 1);
   make_station(b, "B-1", 2);
@@ -356,6 +355,7 @@ TEST_F(Merge, TakesInNothingThatAnotherProgramHasChanged) {
   }
 }
 
+/// At another station the person was erased: gone in both files afterwards, or a conflict.
 TEST_F(Merge, NeverBringsBackWhoWasErased) {
   make_station(a, "A-1", 1);
   make_station(b, "B-1", 2);

@@ -11,6 +11,7 @@
 
 #include "storage/access/audit_log.hpp"
 #include "storage/access/open_store.hpp"
+#include "storage/care/backups.hpp"
 #include "storage/file/database.hpp"
 #include "storage/person/identity.hpp"
 #include "tests/storage/examples.hpp"
@@ -317,6 +318,37 @@ TEST(MigrationOfAProtectedFile, AsksForALoginThatMayWriteAndKeepsEverything) {
   EXPECT_EQ(must(store->profile(1)).notes, "a note");
   EXPECT_EQ(must(store->treatment_marks(1)).at(0).text, "a mark");
   EXPECT_EQ(must(read_identity(*access, "P-0427"))->name, "Vera Novak");
+}
+
+/// Nobody logs in to an older format, so nothing is read of it before.
+TEST(MigrationOfAProtectedFile, StandsBeforeReadingAndRestoring) {
+  const TemporaryFolder folder;
+  const std::string backup = folder.file("backup.db");
+  const std::string path = folder.file("clinic.db");
+  fs::copy_file(ISOGRASP_SOURCE_DIR "/tests/data/format_8_protected.db", backup);
+  EXPECT_FALSE(open_store(backup, OpenMode::read_only).ok());
+  const auto opened_so = Access::open(backup);
+  ASSERT_FALSE(opened_so.ok());
+  EXPECT_NE(opened_so.error().message().find("isograsp db migrate"), std::string::npos);
+  const auto refused = restore_backup(backup, path);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().message().find("run isograsp db migrate on a copy of it"),
+            std::string::npos)
+      << refused.error().message();
+  EXPECT_FALSE(fs::exists(path));
+  const auto log_in = [](const std::string& file) -> Result<std::unique_ptr<Access>> {
+    auto access = must(Access::open(file));
+    must(access->log_in("Theo", Secret{std::string_view("theo's password")}));
+    return access;
+  };
+  {
+    const auto access = must(Access::open_to_migrate(backup));
+    must(access->log_in("Theo", Secret{std::string_view("theo's password")}));
+    must(migrate_database(backup));
+  }
+  must(restore_backup(backup, path, log_in));
+  const auto access = must(log_in(path));
+  EXPECT_TRUE(must(opened(path)->check()).empty());
 }
 
 TEST_P(Migration, SealsWhatItFinds) {

@@ -44,6 +44,27 @@ std::string head_proof(const Secret* key, const std::string& database_id, const 
       .hex();
 }
 
+namespace {
+
+/// Whose end was cut, the log goes on with an anchor that does not prove: `db check` says so from
+/// then on. `proof`: of the anchor that is there.
+bool is_proved(const LoginState& state, const AuditHead& head, const std::string& proof,
+               const std::string& act) {
+  const Login login = state.login();
+  const std::string& id = state.database_id();
+  return proof == head_proof(audit_key(login), id, head) ||
+         (act == kProtectAct && proof == head_proof(nullptr, id, head));
+}
+
+/// Protected databases have a log before anything else.
+bool may_be_without_log(soci::session& sql, const LoginState& state) {
+  int rows = 0;
+  sql << "SELECT EXISTS (SELECT 1 FROM patients) OR EXISTS (SELECT 1 FROM users)", soci::into(rows);
+  return rows == 0 || !state.is_protected();
+}
+
+}  // namespace
+
 AuditHead append_audit(Database& database, const LoginState& state, AuditEntry entry) {
   soci::session& sql = database.sql();
   const Login login = state.login();
@@ -58,8 +79,13 @@ AuditHead append_audit(Database& database, const LoginState& state, AuditEntry e
   // From the anchor on, so that a gap after a cut remains visible.
   AuditHead head;
   long long count = 0;
-  sql << "SELECT count, hash FROM audit_anchor", soci::into(count), soci::into(head.hash);
+  std::string proof;
+  sql << "SELECT count, hash, proof FROM audit_anchor", soci::into(count), soci::into(head.hash),
+      soci::into(proof);
   const bool first = !sql.got_data();
+  head.count = count;
+  const bool proved =
+      first ? may_be_without_log(sql, state) : is_proved(state, head, proof, entry.act);
   if (first) head.hash = first_hash(key, state.database_id());
   long long last = 0;
   sql << "SELECT coalesce(max(id), 0) FROM audit_log", soci::into(last);
@@ -70,7 +96,7 @@ AuditHead append_audit(Database& database, const LoginState& state, AuditEntry e
   entry.seals = seals.count;
   entry.hash = entry_hash(key, head.hash, entry, seals.chain);
   head.hash = entry.hash;
-  const std::string proof = head_proof(key, state.database_id(), head);
+  if (proved) proof = head_proof(key, state.database_id(), head);
   sql << "INSERT INTO audit_log (id, at_utc, actor, role, act, object, result, detail, hash, "
          "seals) "
          "VALUES (:id, :at, :actor, :role, :act, :object, :result, :detail, :hash, :seals)",

@@ -476,9 +476,9 @@ Result<void> Database::enclose(const char* begin, const Text& doing,
       if (before_commit_) before_commit_();
       stop_if_lost();
       sql() << "COMMIT";
-      if (seals_) seals_->end_transaction();
+      if (seals_) seals_->committed();
     } catch (...) {
-      if (seals_) seals_->end_transaction();
+      if (seals_) seals_->rolled_back();
       try {
         sql() << "ROLLBACK";
       } catch (const soci::soci_error&) {  // SQLite has rolled back by itself (full disk)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <charconv>
 #include <string_view>
 
 #include <soci/soci.h>
@@ -31,6 +32,13 @@ RowValue as_told(sqlite3_value* value) {
     }
   }
   return one;
+}
+
+/// 0: it is none.
+std::int64_t number_in(std::string_view text) {
+  std::int64_t number = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+  return read.ptr == text.data() + text.size() ? number : 0;
 }
 
 }  // namespace
@@ -88,6 +96,7 @@ struct SealHook {
 
 RowSeals::RowSeals(soci::session& sql) : sql_(sql), tables_(sealed_tables(sql)) {
   readers_.resize(tables_.size());
+  highest_.resize(tables_.size());
   sqlite3_preupdate_hook(connection_of(sql_), SealHook::on_change, this);
 }
 
@@ -136,6 +145,23 @@ std::string RowSeals::last_hash(std::size_t table, const RowKey& row) {
   return hash;
 }
 
+void RowSeals::catch_up() {
+  if (!later_lines_)
+    later_lines_ = std::make_unique<Statement>(
+        sql_, "SELECT id, of_table, of_row FROM main.row_seals WHERE id > ? ORDER BY id");
+  later_lines_->bind(1, noted_);
+  while (later_lines_->next()) {
+    noted_ = later_lines_->number(0);
+    if (const auto table = index_of(later_lines_->bytes(1)))
+      highest_[*table] = std::max(highest_[*table], number_in(later_lines_->bytes(2)));
+  }
+}
+
+bool RowSeals::was_sealed(std::size_t table, const RowKey& row) {
+  // Of another kind of key (a place in a session, a name) nothing new is ever given.
+  return row.size() == 1 && number_in(row[0]) <= highest_[table] && !last_hash(table, row).empty();
+}
+
 bool RowSeals::is_as_sealed(std::string_view table, const RowKey& row) {
   const auto index = index_of(table);
   const Secret* const key_now = key();
@@ -148,6 +174,7 @@ bool RowSeals::is_as_sealed(std::string_view table, const RowKey& row) {
 void RowSeals::seal() {
   if (touched_.empty()) return;
   const Secret* const key_now = key();
+  catch_up();
   SealWriter writer(sql_, key_now);
   for (const auto& [place, touched] : touched_) {
     if (changed_by_triggers_.contains(place)) continue;
@@ -161,6 +188,7 @@ void RowSeals::seal() {
     if (present && touched.act == Touched::Act::changed &&
         last_hash(index, row) != bytes_of(hash_of_row(key_now, table, touched.said + salt)))
       continue;
+    if (present && touched.act == Touched::Act::added && was_sealed(index, row)) continue;
     writer.add(table.name, key_text(row), present ? &hash : nullptr);
   }
   writer.finish();
@@ -179,8 +207,13 @@ void RowSeals::seal_all() {
       writer.add(tables_[i].name, key_text(row), &hash);
     }
   }
-  writer.finish();
+  writer.finish(true);
   touched_.clear();
+}
+
+void RowSeals::rolled_back() noexcept {
+  end_transaction();
+  noted_ = 0;  // their lines may have been among them
 }
 
 void RowSeals::end_transaction() noexcept {

@@ -33,8 +33,8 @@ struct SealHead {
 };
 [[nodiscard]] SealHead seal_head(soci::session& sql);
 
-/// A row gets a seal only if this program made it, or changed what its last seal says: what another
-/// hand has changed stays without, whatever is done to it here.
+/// A row gets a seal only if this program made it where there was none, or changed what its last
+/// seal says: what another hand has changed or removed stays without, whatever is done to it here.
 class RowSeals {
  public:
   /// From now on it notes which rows of `main` this connection touches.
@@ -52,7 +52,8 @@ class RowSeals {
   // Inside a transaction; throw as SOCI does.
   void seal();      ///< the rows that were touched
   void seal_all();  ///< every row of the file, but what triggers changed
-  void end_transaction() noexcept;
+  void committed() noexcept { end_transaction(); }
+  void rolled_back() noexcept;
   /// Of a row that this transaction has not touched. False too: there is none.
   [[nodiscard]] bool is_as_sealed(std::string_view table, const RowKey& row);
 
@@ -64,16 +65,25 @@ class RowSeals {
     enum class Act { added, changed, removed } act = Act::added;
     std::string said;  ///< changed: before; without the salt
   };
+  void end_transaction() noexcept;
   [[nodiscard]] const Secret* key();
   [[nodiscard]] std::optional<std::size_t> index_of(std::string_view table) const;
   [[nodiscard]] RowReader& reader_of(std::size_t table);
   /// Empty: the row was removed, or never sealed.
   [[nodiscard]] std::string last_hash(std::size_t table, const RowKey& row);
+  /// Notes the lines that were added since.
+  void catch_up();
+  /// By a line that catch_up() has noted, of a row that stands there no more. SQLite gives the
+  /// number of the last row of a table anew when that is gone.
+  [[nodiscard]] bool was_sealed(std::size_t table, const RowKey& row);
 
   soci::session& sql_;
   std::vector<SealedTable> tables_;
   std::vector<std::unique_ptr<RowReader>> readers_;  ///< of a table, once it is needed
   std::unique_ptr<Statement> last_line_;             ///< once it is needed
+  std::unique_ptr<Statement> later_lines_;           ///< the same
+  std::vector<std::int64_t> highest_;  ///< number of a row that was ever sealed, by table
+  std::int64_t noted_ = 0;             ///< lines
   std::map<Row, Touched> touched_;
   std::set<Row> changed_by_triggers_;  ///< in this transaction
   KeySource source_;

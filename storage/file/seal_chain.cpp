@@ -54,14 +54,14 @@ SealHead seal_head(soci::session& sql) {
 SealWriter::SealWriter(soci::session& sql, const Secret* key)
     : sql_(sql),
       key_(key),
+      anchor_(read_anchor(sql).value_or(SealAnchor{})),
       insert_(sql,
               "INSERT INTO row_seals (id, of_table, of_row, hash, chain) VALUES (?, ?, ?, ?, ?)") {
   // From the anchor on, so that a gap after a cut remains visible.
-  const SealAnchor anchor = read_anchor(sql).value_or(SealAnchor{});
-  line_.chain = anchor.chain;
+  line_.chain = anchor_.chain;
   long long last = 0;
   sql << "SELECT coalesce(max(id), 0) FROM row_seals", soci::into(last);
-  line_.number = std::max<std::int64_t>(anchor.count, last);
+  line_.number = std::max<std::int64_t>(anchor_.count, last);
 }
 
 void SealWriter::add(const std::string& table, const std::string& row, const ContentHash* hash) {
@@ -78,8 +78,10 @@ void SealWriter::add(const std::string& table, const std::string& row, const Con
   insert_.run();
 }
 
-void SealWriter::finish() {
-  const std::string proof = seal_proof(key_, line_.number, line_.chain);
+void SealWriter::finish(bool anew) {
+  const bool proved = anew || anchor_.proof.empty() ||
+                      anchor_.proof == seal_proof(key_, anchor_.count, anchor_.chain);
+  const std::string proof = proved ? seal_proof(key_, line_.number, line_.chain) : anchor_.proof;
   Statement anchor(sql_,
                    "INSERT INTO row_seals_anchor (id, count, chain, proof) VALUES (1, ?, ?, ?) "
                    "ON CONFLICT (id) DO UPDATE SET count = excluded.count, chain = excluded.chain, "

@@ -39,12 +39,15 @@ class SealWriter {
   SealWriter(soci::session& sql, const Secret* key);
   /// `hash`: null: the row was removed.
   void add(const std::string& table, const std::string& row, const ContentHash* hash);
-  void finish();  ///< says how far they have come
+  /// Says how far they have come. Where the one who said so before does not prove, this one does
+  /// not either, so that `db check` goes on saying it; but if every row has a line (`anew`).
+  void finish(bool anew = false);
 
  private:
   soci::session& sql_;
   const Secret* key_;
-  SealLine line_;  ///< the last one
+  SealLine line_;      ///< the last one
+  SealAnchor anchor_;  ///< of before
   Statement insert_;
 };
 

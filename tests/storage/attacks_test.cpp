@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Somebody has the file of a protected database, an SQL program and no password, or an account that
 // was taken away: nobody becomes more than they are.
+#include <algorithm>
 #include <atomic>
 #include <filesystem>
 #include <thread>
@@ -174,6 +175,53 @@ TEST_F(Attacked, AnOlderFileThatIsPutBackIsSaidAtLogin) {
   as("Theo");
   ASSERT_EQ(access->notices().size(), 1u);
   EXPECT_NE(english(access->notices()[0]).find("older"), std::string::npos);
+}
+
+const std::vector<std::string> kLogNotCut{
+    "CREATE TRIGGER audit_log_is_not_cut BEFORE DELETE ON audit_log BEGIN SELECT RAISE(ABORT, 'the "
+    "audit log is only added to'); END"};
+
+/// Without the key nobody makes an anchor for what is left; the next entry and the next seal, which
+/// have it, make none either.
+TEST_F(Attacked, AnEndThatWasCutOffStaysNamedWhateverIsWrittenLater) {
+  const auto expect = [this](const std::string& wanted) {
+    for (const char* code : {"P-8", "P-9"}) {
+      const auto store = opened(path, OpenMode::existing);
+      must(store->add_patient(code));
+      const auto found = must(store->check());
+      EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const Text& one) {
+        return english(one) == wanted;
+      })) << wanted;
+      must(store->set_profile(must(store->find_patient(code))->id, {}));
+    }
+  };
+  execute({"DROP TRIGGER audit_log_is_not_cut", "DELETE FROM audit_log WHERE id > 3",
+           "UPDATE audit_anchor SET count = 3, hash = (SELECT hash FROM audit_log WHERE id = 3)"});
+  execute(kLogNotCut);
+  fs::remove(path + "-audit");
+  expect("audit log: its anchor was changed");
+  execute({"DROP TRIGGER row_seals_are_not_cut", "DELETE FROM patients WHERE code = 'P-1'",
+           "DELETE FROM row_seals WHERE id >= (SELECT min(id) FROM row_seals WHERE of_table = "
+           "'patients')",
+           "UPDATE row_seals_anchor SET count = (SELECT max(id) FROM row_seals), chain = (SELECT "
+           "chain FROM row_seals ORDER BY id DESC LIMIT 1)",
+           "CREATE TRIGGER row_seals_are_not_cut BEFORE DELETE ON row_seals BEGIN SELECT "
+           "RAISE(ABORT, 'seals are only added'); END"});
+  execute({"DELETE FROM patient_profiles", "DELETE FROM patients"});
+  expect("row_seals_anchor: row 1 was changed");
+}
+
+TEST_F(Attacked, ALogThatWasRemovedIsNotBegunAnew) {
+  access.reset();
+  execute(
+      {"DROP TRIGGER audit_log_is_not_cut", "DELETE FROM audit_log", "DELETE FROM audit_anchor"});
+  execute(kLogNotCut);
+  fs::remove(path + "-audit");
+  access = must(Access::open(path));
+  as("Theo");
+  const auto problems = must(opened(path, OpenMode::existing)->check());
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(english(problems[0]), "audit log: its anchor was changed");
 }
 
 TEST_F(Attacked, ARemovedAuditHeadIsSaidAtTheNextLogin) {

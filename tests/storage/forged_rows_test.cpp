@@ -176,6 +176,44 @@ TEST_P(Forged, ARowThatTheProgramChangesLaterStaysWithoutASeal) {
   expect(forged);
 }
 
+/// SQLite gives the number of the last row of a table anew when that is gone.
+TEST_P(Forged, ARowThatWasDeletedIsNamedThoughItsNumberIsGivenAnew) {
+  std::vector<std::string> statements{"DELETE FROM trials WHERE id = 2"};
+  for (const char* table : {"signal_packs", "signal_groups", "trial_references", "measures"})
+    statements.push_back("DELETE FROM " + std::string(table) + " WHERE trial_id = 2");
+  attack(statements);
+  {
+    const auto store = opened(path, OpenMode::existing);
+    TrialRecord trial = example_trial(1, 2);
+    trial.id = must(store->begin_trial(trial));
+    ASSERT_EQ(trial.id, 2);
+    must(store->append_blocks(trial.id, 0, example_rows(trial, 100, 3)));
+    trial.status = TrialStatus::completed;
+    must(store->end_trial(trial, std::vector<Measure>{{"rmse", "force", 0.5, "N", 1, 100, 0, ""}}));
+    EXPECT_EQ(must(store->signals(must(store->trials(1)).at(1))).rows(), 100u) << "is kept";
+    trial = example_trial(1, 3);
+    trial.id = must(store->begin_trial(trial));
+    must(store->append_blocks(trial.id, 0, example_rows(trial, 100, 4)));
+    trial.status = TrialStatus::completed;
+    must(store->end_trial(trial, {}));
+  }
+  expect({"measures: row 2 is not what isograsp wrote", "signal_packs: row 2,0,0 is missing",
+          "signal_packs: row 2,1,0 is missing", kTrialIsNot});
+}
+
+TEST_P(Forged, ARowThatIsRemovedHereAndMadeAnewProves) {
+  for (int time = 0; time < 3; ++time) {
+    const auto store = opened(path, OpenMode::existing);
+    const RowId mark = must(store->add_treatment_mark(1, {0, "2026-02-01", "drug", "a mark"}));
+    EXPECT_EQ(mark, 1) << "the same number";
+    must(store->remove_treatment_mark(mark));
+    must(store->add_treatment_mark(1, {0, "2026-02-02", "drug", "another"}));
+    EXPECT_FALSE(store->add_treatment_mark(1, {0, "2026-02-30", "drug", "no date"}).ok());
+    must(store->remove_treatment_mark(1));
+  }
+  expect({});
+}
+
 TEST_P(Forged, MergingTakesInNoForgery) {
   const std::string other = folder.file("other.db");
   record(other, "P-2");

@@ -3,45 +3,18 @@
 #include <algorithm>
 #include <filesystem>
 
-#include <soci/soci.h>
-#include <soci/sqlite3/soci-sqlite3.h>
-
 #include "storage/access/protection.hpp"
 #include "storage/care/backups.hpp"
 #include "storage/care/merge.hpp"
 #include "storage/care/migration.hpp"
 #include "storage/file/database.hpp"
 #include "storage/sqlite/block_codec.hpp"
-#include "tests/storage/protected_clinic.hpp"
+#include "tests/storage/clinic_under_attack.hpp"
 
 namespace isograsp::storage::forged_rows_test {
 namespace {
 
 namespace fs = std::filesystem;
-
-using Problems = std::vector<std::string>;
-
-/// One patient, one session, two packed trials.
-void record(const std::string& path, const char* code = "P-1") {
-  const auto store = opened(path);
-  SessionRecord session = example_session(must(store->add_patient(code)).id);
-  session.id = must(store->begin_session(session, {}));
-  for (const int number : {1, 2}) {
-    TrialRecord trial = example_trial(session.id, number);
-    trial.id = must(store->begin_trial(trial));
-    must(store->append_blocks(trial.id, 0, example_rows(trial, 100, 1)));
-    trial.status = TrialStatus::completed;
-    must(
-        store->end_trial(trial, std::vector<Measure>{{"rmse", "force", 0.25, "N", 1, 100, 0, ""}}));
-  }
-  must(store->end_session(session.id));
-}
-
-void execute(const std::string& path, const std::vector<std::string>& statements) {
-  soci::session sql(soci::sqlite3, "db=\"" + path + "\"");
-  sql << "PRAGMA foreign_keys=OFF";
-  for (const std::string& statement : statements) sql << statement;
-}
 
 /// SQL: blocks of a second with the values of the packs of a trial, as any program can make them.
 std::vector<std::string> packs_as_blocks(const std::string& path, RowId trial) {
@@ -64,35 +37,7 @@ std::vector<std::string> packs_as_blocks(const std::string& path, RowId trial) {
   return statements;
 }
 
-/// Parameter: protected.
-struct Forged : testing::TestWithParam<bool> {
-  TemporaryFolder folder;
-  std::string path = folder.file("clinic.db");
-  std::unique_ptr<Access> access;
-
-  Forged() {
-    if (GetParam())
-      access = must(Access::create(path, secret("the clinic's passphrase"), &kCheapKeyCost)).access;
-    record(path);
-  }
-  /// By somebody without a password, while nobody works.
-  void attack(const std::vector<std::string>& statements) {
-    access.reset();
-    execute(path, statements);
-    log_in();
-  }
-  void log_in() {
-    if (!GetParam()) return;
-    access = must(Access::open(path));
-    must(access->log_in_with_passphrase(secret("the clinic's passphrase")));
-  }
-  /// As the program finds them that may write, whatever it has done when it opened the file.
-  [[nodiscard]] Problems problems() const {
-    Problems all;
-    for (const Text& one : must(opened(path, OpenMode::existing)->check()))
-      all.push_back(english(one));
-    return all;
-  }
+struct Forged : ClinicUnderAttack {
   /// The same again, and by a reader.
   void expect(const Problems& expected) const {
     for (const int time : {1, 2}) EXPECT_EQ(problems(), expected) << time;

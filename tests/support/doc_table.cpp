@@ -31,6 +31,13 @@ std::vector<std::string> cells_of(const std::string& line) {
   return cells;
 }
 
+std::vector<std::string> lines_of(const std::filesystem::path& path) {
+  std::vector<std::string> lines;
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) lines.push_back(line);
+  return lines;
+}
+
 std::vector<double> numbers_of(const std::string& cell) {
   std::vector<double> numbers;
   std::istringstream text(cell);
@@ -97,11 +104,7 @@ std::string figures(const std::vector<double>& numbers, int decimals) {
 void expect_figures(const std::string& document, const std::string& row, const std::string& column,
                     const std::string& figures, double within) {
   const auto path = std::filesystem::path(ISOGRASP_SOURCE_DIR) / "docs" / document;
-  std::vector<std::string> lines;
-  {
-    std::ifstream file(path);
-    for (std::string line; std::getline(file, line);) lines.push_back(line);
-  }
+  auto lines = lines_of(path);
   const auto place = find(lines, row, column);
   ASSERT_TRUE(place) << document << " has no row \"" << row << "\" with a column \"" << column
                      << '"';
@@ -118,6 +121,22 @@ void expect_figures(const std::string& document, const std::string& row, const s
   lines[place->line] = line;
   std::ofstream file(path);
   for (const auto& one : lines) file << one << '\n';
+}
+
+std::vector<std::vector<std::string>> rows_of_table(const std::string& document,
+                                                    const std::string& head) {
+  std::vector<std::vector<std::string>> rows;
+  bool inside = false;
+  for (const std::string& line :
+       lines_of(std::filesystem::path(ISOGRASP_SOURCE_DIR) / "docs" / document)) {
+    if (!line.starts_with('|')) inside = false;
+    auto cells = cells_of(line);
+    if (inside && !cells[0].starts_with("---"))
+      rows.push_back(std::move(cells));
+    else if (!cells.empty() && cells[0] == head)
+      inside = true;
+  }
+  return rows;
 }
 
 }  // namespace isograsp::test

@@ -18,4 +18,8 @@ namespace isograsp::test {
 void expect_figures(const std::string& document, const std::string& row, const std::string& column,
                     const std::string& figures, double within);
 
+/// Rows of the table of `document` whose head begins with the cell `head`, without head and rule.
+[[nodiscard]] std::vector<std::vector<std::string>> rows_of_table(const std::string& document,
+                                                                  const std::string& head);
+
 }  // namespace isograsp::test

@@ -183,7 +183,7 @@ HandTarget AssistedGrasp::led_to(const HandTarget& seen) noexcept {
 void AssistedGrasp::step(const HandTarget& target) noexcept {
   world_.step(kStep_s, target);
   ++ticks_;
-  AssistanceRow row = world_.assistance_row(t_s());
+  AssistanceRow row = world_.assistance_row(t_s(), releasing_);
   const bool ties = level_ != AssistanceLevel::off && !releasing_ && choice_.feasible;
   row.feasible = ties ? choice_.digits : 0;
   assistance_.step(row);
@@ -244,7 +244,7 @@ void AssistedGrasp::publish() noexcept {
   state_.solver = report_;
   int tied = 0;
   int touching = 0;
-  const AssistanceRow row = world_.assistance_row(t_s());
+  const AssistanceRow row = world_.assistance_row(t_s(), releasing_);
   for (std::size_t d = 0; d < kDigitCount; ++d) {
     const AssistanceRow::OfDigit& digit = row.digits[d];
     const DigitState is = assistance_.states()[d];

@@ -46,7 +46,7 @@ struct StartPlace {
 struct DigitGrasp {
   virtual_hand::DigitState state = virtual_hand::DigitState::free;
   bool touching = false;
-  /// Of its tie once it is 2 mm away; in the frame in which it lets go that at which it did; 0:
+  /// Of its tie along the outward normal; in the frame in which it lets go that at which it did; 0:
   /// it is not tied.
   double pull_N = 0.0;
   double normal_N = 0.0;  ///< largest of its links

@@ -49,7 +49,7 @@ struct AssistanceRow {
   DigitSet feasible = 0;  ///< the best feasible grasp; 0: there is none
   struct OfDigit {
     bool contact = false;
-    double pull_N = 0.0;  ///< effort of its spring as it leaves; 0: it touches
+    double pull_N = 0.0;  ///< effort of its spring along the outward normal
     double gap_m = 0.0;   ///< from the object
   };
   std::array<OfDigit, kDigitCount> digits;

@@ -91,9 +91,8 @@ void AssistedGrasp::place(const GraspObject& object, const StartPlace& at,
   start_ = at;
   level_ = level;
   object_there_ = true;
-  gains_ = tie_gains(level, object.body.mass_kg, rules_);
-  world_.set_link_most(std::max(kLinkMost_N, kLinkMost * gains_.release_N));
   stand_object();
+  world_.set_link_most(std::max(kLinkMost_N, kLinkMost * gains_.release_N));
 }
 
 void AssistedGrasp::reset() noexcept {
@@ -102,6 +101,9 @@ void AssistedGrasp::reset() noexcept {
 
 void AssistedGrasp::release() noexcept {
   releasing_ = true;
+  gains_.release_N =
+      kPlacedPull * hand_world::tie_gains(level_, object_.body.mass_kg, rules_).release_N;
+  assistance_.set_release(gains_.release_N);
   state_.releasing = true;
 }
 
@@ -124,6 +126,7 @@ void AssistedGrasp::clear() noexcept {
 
 void AssistedGrasp::stand_object() noexcept {
   releasing_ = helped_ = false;
+  gains_ = hand_world::tie_gains(level_, object_.body.mass_kg, rules_);
   assistance_ = Assistance(gains_.release_N);
   chosen_of_ = {};
   choice_ = {};

@@ -46,7 +46,7 @@ struct StartPlace {
 struct DigitGrasp {
   virtual_hand::DigitState state = virtual_hand::DigitState::free;
   bool touching = false;
-  /// Of its tie along the outward normal; in the frame in which it lets go that at which it did; 0:
+  /// Of its tie once it is 2 mm away; in the frame in which it lets go that at which it did; 0:
   /// it is not tied.
   double pull_N = 0.0;
   double normal_N = 0.0;  ///< largest of its links
@@ -82,6 +82,7 @@ class AssistedGrasp {
   /// (kMostTracked_m_s), the virtual one is led to it on a path of least jerk, whose acceleration
   /// is that for which the ties are made.
   static constexpr double kCatchUp_m_s2 = virtual_hand::TieDesign{}.acceleration_m_s2;
+  static constexpr double kPlacedPull = 1.0 / 3.0;  ///< a stretch of 2 mm in place of 6 mm
   /// Contacts that move so little on the object, or whose normals turn so little, are the same
   /// ones: the best grasp is not looked for again.
   static constexpr double kSamePlace_m = 0.001;
@@ -95,8 +96,9 @@ class AssistedGrasp {
   void place(const GraspObject& object, const StartPlace& at, AssistanceLevel level) noexcept;
   /// The object of this placement again where it was at first: after a drop.
   void reset() noexcept;
-  /// From now on nothing new is tied, and the first digit that lets go takes the others with it:
-  /// the object was placed and the hand is to open.
+  /// From now on nothing new is tied, the first digit that lets go takes the others with it, and a
+  /// pull of kPlacedPull times what it was is enough: the object was placed and the hand is to
+  /// open. Ties hold a virtual hand back that follows one which opens little.
   void release() noexcept;
   /// Helps: ties end, and the object falls through the hand until the next place() or reset().
   void let_go() noexcept;

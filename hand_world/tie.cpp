@@ -33,7 +33,7 @@ void Tie::add_to(Arrow& matrix, ArrowVector& pull, const HandBody* hand, const P
   const Mat3 R_WO = X_WO.q.toRotationMatrix();
   const Vec3 arm_W = R_WO * at_.p_O;
   const Vec3 at_object_W = X_WO.p + arm_W;
-  normal_W_ = R_WO * at_.normal_O;
+  const Vec3 normal_W = R_WO * at_.normal_O;
   hub_.setZero();
   leaf_.setZero();
   hub_.block<3, 3>(0, kObjectPart) = -Mat3::Identity();
@@ -66,11 +66,11 @@ void Tie::add_to(Arrow& matrix, ArrowVector& pull, const HandBody* hand, const P
   const double turning_k = gains_.torsion_N_m_rad;
   const double turning_c = c * turning_k / k;
   HubVector hub_row = HubVector::Zero();  // rate of the link against the object
-  hub_row.segment<3>(kPalmPart + 3) = normal_W_;
-  hub_row.segment<3>(kObjectPart + 3) = -(R_WO.transpose() * normal_W_);
-  const LeafVector leaf_row = rows.axes.transpose() * normal_W_;
+  hub_row.segment<3>(kPalmPart + 3) = normal_W;
+  hub_row.segment<3>(kObjectPart + 3) = -(R_WO.transpose() * normal_W);
+  const LeafVector leaf_row = rows.axes.transpose() * normal_W;
   const Quat& link = hand->middle().digits[d].links[at_.link];
-  const double torque = turning_k * normal_W_.dot(turn_between(X_WO.q * at_.q_OF, link)) +
+  const double torque = turning_k * normal_W.dot(turn_between(X_WO.q * at_.q_OF, link)) +
                         turning_c * (hub_row.dot(now.hub) + leaf_row.dot(now.leaves[d]));
   pull.hub -= torque * hub_row;
   pull.leaves[d] -= torque * leaf_row;
@@ -83,7 +83,6 @@ void Tie::add_to(Arrow& matrix, ArrowVector& pull, const HandBody* hand, const P
 void Tie::settle(const ArrowVector& change, double step_s) noexcept {
   const Vec3 force_W =
       force_W_ + (gains_.damping_N_s_m + 0.5 * step_s * gains_.stiffness_N_m) * change_of(change);
-  pull_N_ = -force_W.dot(normal_W_);
   effort_N_ = force_W.norm();
 }
 

@@ -40,8 +40,6 @@ class Tie {
               const ArrowVector& now, double step_s) noexcept;
   /// After the step: `change` of the velocities in its middle against those at its begin.
   void settle(const ArrowVector& change, double step_s) noexcept;
-  /// Effort of the spring along the outward normal in the middle of the last step [N].
-  [[nodiscard]] double pull_N() const noexcept { return pull_N_; }
   /// Effort of the spring in the middle of the last step, whichever way it points [N].
   [[nodiscard]] double effort_N() const noexcept { return effort_N_; }
   [[nodiscard]] const TouchPoint& at() const noexcept { return at_; }
@@ -59,8 +57,6 @@ class Tie {
   PointRows hub_ = PointRows::Zero();  ///< velocity of the far end against the object
   Eigen::Matrix<double, 3, kLeafSize> leaf_ = Eigen::Matrix<double, 3, kLeafSize>::Zero();
   Vec3 force_W_ = Vec3::Zero();  ///< on the object
-  Vec3 normal_W_ = Vec3::UnitZ();
-  double pull_N_ = 0.0;
   double effort_N_ = 0.0;
 };
 

@@ -137,9 +137,7 @@ AssistanceRow World::assistance_row(double t_s, bool placed) const noexcept {
     const DigitTouch& touch = touches_[d];
     const bool away =
         !touch.contact && (placed || touch.gap_m >= virtual_hand::Assistance::kReleaseGap_m);
-    double pull_N = 0.0;
-    if (ties_[d])
-      pull_N = away ? ties_[d]->effort_N() : std::max(0.0, ties_[d]->pull_N() - touch.normal_N);
+    const double pull_N = ties_[d] && away ? ties_[d]->effort_N() : 0.0;
     row.digits[d] = {touch.contact, pull_N, touch.gap_m};
   }
   return row;

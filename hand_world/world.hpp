@@ -101,9 +101,8 @@ class World {
   /// was not lifted.
   [[nodiscard]] bool supported() const noexcept { return supported_; }
   /// Row of the assistance at a time, without its feasible grasp. The pull of a digit is the effort
-  /// of its spring along the outward normal less the force with which it presses, at least 0; of
-  /// one that is Assistance::kReleaseGap_m away, or once the object is `placed` of one that does
-  /// not touch, the whole effort.
+  /// of its spring once it is Assistance::kReleaseGap_m away, or, once the object is `placed`, does
+  /// not touch; who touches does not let go.
   [[nodiscard]] virtual_hand::AssistanceRow assistance_row(double t_s,
                                                            bool placed = false) const noexcept;
   /// Where a digit touches, for the criteria; nothing: it does not.

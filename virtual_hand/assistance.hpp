@@ -49,7 +49,7 @@ struct AssistanceRow {
   DigitSet feasible = 0;  ///< the best feasible grasp; 0: there is none
   struct OfDigit {
     bool contact = false;
-    double pull_N = 0.0;  ///< effort of its spring along the outward normal
+    double pull_N = 0.0;  ///< effort of its spring as it leaves; 0: it touches
     double gap_m = 0.0;   ///< from the object
   };
   std::array<OfDigit, kDigitCount> digits;
@@ -73,6 +73,8 @@ class Assistance {
   }
   /// All that are tied are blocked from now on: what is left of a grasp is none any more.
   void let_go(double t_s) noexcept;
+  /// Another effort lets go from the next row on [N].
+  void set_release(double release_N) noexcept { release_N_ = release_N; }
 
  private:
   using Since = std::optional<double>;

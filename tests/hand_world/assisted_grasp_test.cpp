@@ -266,6 +266,22 @@ TEST(AssistedGrasp, OnceAnObjectIsPlacedTheFirstDigitThatOpensTakesTheOthersWith
   }
 }
 
+TEST(AssistedGrasp, APlacedObjectIsLetGoWhereTheHandOpensByLittle) {
+  for (const bool placed : {false, true}) {
+    Hold hold(kPinch);
+    hold.place();
+    hold.lift();
+    const double whole_N = hold.grasp().gains().release_N;
+    if (placed) hold.grasp().release();
+    EXPECT_DOUBLE_EQ(hold.grasp().gains().release_N,
+                     (placed ? AssistedGrasp::kPlacedPull : 1.0) * whole_N);
+    hold.lead(kPress_m, -0.005, Hold::kUp, Hold::kUp, 30);
+    EXPECT_EQ(hold.state().held, !placed) << "5 mm of either digit: less than the tie of a carry";
+    hold.grasp().reset();
+    EXPECT_DOUBLE_EQ(hold.grasp().gains().release_N, whole_N) << "of the next one";
+  }
+}
+
 TEST(AssistedGrasp, WhoPressesDoesNotLetGoHoweverTheTrackerShakesAndTheTipsRollApart) {
   constexpr double kShake_m = 0.001;  // SD of each joint, twice that of a tracker
   constexpr double kApart_m = 0.01;   // of the tips, along the object

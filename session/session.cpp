@@ -222,7 +222,7 @@ void let_go(Session& session) {
   (void)session.parts_->send({.kind = Command::Kind::let_go});
 }
 
-void platforms_checked(Session& session, bool coupled) noexcept {
+void platforms_checked(Session& session, std::optional<bool> coupled) noexcept {
   session.parts_->known.two_hands.coupled = coupled;
 }
 

@@ -190,7 +190,7 @@ class Session {
   struct Opening;
   explicit Session(std::unique_ptr<Parts> parts);
   friend void let_go(Session& session);
-  friend void platforms_checked(Session& session, bool coupled) noexcept;
+  friend void platforms_checked(Session& session, std::optional<bool> coupled) noexcept;
   std::unique_ptr<Parts> parts_;
 };
 
@@ -198,9 +198,9 @@ class Session {
 /// marked helped and is no drop. Nothing happens where there is none. Owner thread.
 void let_go(Session& session);
 
-/// Two empty platforms were checked: whether one moves the other. Trials from now on have it beside
-/// their rows, and no shares where it does. Owner thread.
-void platforms_checked(Session& session, bool coupled) noexcept;
+/// Two empty platforms were checked: whether one moves the other; nothing: the check was left out.
+/// Trials from now on have it beside their rows, and no shares where it does. Owner thread.
+void platforms_checked(Session& session, std::optional<bool> coupled) noexcept;
 
 /// Newest state with all that is known of an arm seen by markers; null: it is something else.
 /// Wait-free. Owner thread.

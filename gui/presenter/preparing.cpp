@@ -117,8 +117,7 @@ void Preparing::look_at_platforms() {
 
 void Preparing::store_platforms_check() {
   OpenSession& open = *state_.open;
-  if (const auto coupled = open.crosstalk.coupled())
-    session::platforms_checked(*open.session, *coupled);
+  session::platforms_checked(*open.session, open.crosstalk.coupled());
   if (auto taken = open.session->answer(stored(open.crosstalk)); !taken)
     flow_.refuse(taken.error());
 }

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//   share = 100 A / (A + U),   effort share = 100 (A / M_A) / (A / M_A + U / M_U)
-// A affected, U other: means above rest, of which what is below zero counts 0.
 #include "gui/rules/two_hands_live.hpp"
 
 #include <algorithm>
 #include <cmath>
+
+#include "tasks/measures/coordination/two_hands.hpp"
 
 namespace isograsp::gui {
 
 namespace {
 
 constexpr double kMeanOver_s = 1.0;
-constexpr double kPercent = 100.0;
 
 std::optional<double> mean_N(const HandsHistory& history, Hand hand) {
   const auto& points = history.points();
@@ -39,15 +38,15 @@ HandsLive hands_live(const HandsHistory& history, const tasks::TwoHandsReference
   if (!references.affected || !live.above_rest_N.left || !live.above_rest_N.right) return live;
   const Hand affected = *references.affected;
   const Hand other = other_than(affected);
-  const double affected_N = std::max(0.0, *live.above_rest_N[affected]);
-  const double other_N = std::max(0.0, *live.above_rest_N[other]);
-  if (affected_N + other_N < kLeastShared_N) return live;
-  live.share_affected_percent = kPercent * affected_N / (affected_N + other_N);
+  const double affected_N = *live.above_rest_N[affected];
+  const double other_N = *live.above_rest_N[other];
+  if (std::max(0.0, affected_N) + std::max(0.0, other_N) < kLeastShared_N) return live;
+  live.share_affected_percent = tasks::hand_share(affected_N, other_N).affected_percent.value;
   const double most_affected_N = references.of[affected].maximum_N.value_or(0.0);
   const double most_other_N = references.of[other].maximum_N.value_or(0.0);
   if (!(most_affected_N > 0.0) || !(most_other_N > 0.0)) return live;
-  const double effort = affected_N / most_affected_N;
-  live.effort_share_affected_percent = kPercent * effort / (effort + other_N / most_other_N);
+  live.effort_share_affected_percent =
+      tasks::effort_share(affected_N, other_N, most_affected_N, most_other_N).value;
   return live;
 }
 

@@ -230,7 +230,10 @@ TEST_F(ProtectedCommands, NoTextLeavesItsPlace) {
   must_do(session);
   for (const char* code : {"../../T-01", "T-01/../../x", "/etc/passwd1",
                            "'; DROP TABLE patients; --1", "T-01%00", "$(touch x)1", "T 1"}) {
-    const std::string quoted = " --patient=\"" + std::string(code) + "\" ";
+    std::string quoted = " --patient='";
+    for (const char letter : std::string_view(code))
+      letter == '\'' ? quoted.append("'\\''") : quoted.append(1, letter);
+    quoted += "' ";  // whatever a shell would make of it reaches the program
     for (const std::string& command :
          {"export --db " + db + quoted + "--out " + folder.path("out"),
           "report --db " + db + quoted + "--out " + folder.path("out.html"),

@@ -324,8 +324,8 @@ Result<void> Session::Opening::take_up_earlier_work() {
   if (known.record.allowed.empty()) known.record.allowed = known.earlier.allowed;
   if (!known.record.references.contains(platform::kCeiling_N))
     storage::set_value(known.record.references, platform::kCeiling_N, known.earlier.ceiling_N);
-  for (const Hand hand : kBothHands)
-    if (!known.record.references.contains(platform::kCeilings_N[hand]))
+  for (const Hand hand : kBothHands)  // what is said of both today is said of each
+    if (!config.ceiling_N && !config.ceilings_N[hand])
       storage::set_value(known.record.references, platform::kCeilings_N[hand],
                          known.earlier.ceilings_N[hand]);
   if (!known.two_hands.affected) known.two_hands.affected = known.earlier.affected;

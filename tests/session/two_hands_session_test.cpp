@@ -22,7 +22,20 @@ std::string pair_uri(const std::string& name, int seed) {
   return test::must(two_platforms_uri({uri, uri}));
 }
 
-/// A session with a pair of hands in software, and the side of the person that is affected.
+/// Of a session with a pair of hands in software.
+SessionConfig pair_config(const std::string& database, const std::string& pair, int seed = 7) {
+  SessionConfig config;
+  config.database = database;
+  config.patient_code = "P-2";
+  config.hand.reset();
+  config.device_uri = pair_uri(pair, seed);
+  config.library = kLibrary;
+  config.virtual_time = true;
+  config.clock_is_right = true;  // sessions in virtual time end ahead of every clock
+  return config;
+}
+
+/// Such a session, and the side of the person that is affected.
 struct PairSession {
   explicit PairSession(const std::string& pair, storage::Side affected, int seed = 7)
       : database(folder.path() + "/clinic.db") {
@@ -33,16 +46,9 @@ struct PairSession {
       profile.affected = affected;
       test::must(store->set_profile(patient.id, profile));
     }
-    SessionConfig config;
-    config.database = database;
-    config.patient_code = "P-2";
-    config.hand.reset();
-    config.device_uri = pair_uri(pair, seed);
-    config.library = kLibrary;
-    config.virtual_time = true;
     const auto protocol =
         test::must(read_protocol(kLibrary + "/protocols/two_hands_short.toml", kLibrary));
-    const auto session = test::must(Session::open(config));
+    const auto session = test::must(Session::open(pair_config(database, pair, seed)));
     result = test::must(run_protocol(*session, protocol, {}));
     session->close();
   }
@@ -126,15 +132,8 @@ TEST(TwoHandsSession, TheSensorsUnderBothHandsHaveNoiseOfTheirOwn) {
 
 TEST(TwoHandsSession, AResumedSessionKeepsSideAndCeilings) {
   const test::TemporaryFolder folder;
-  SessionConfig config;
-  config.database = folder.path() + "/clinic.db";
+  SessionConfig config = pair_config(folder.path() + "/clinic.db", "paretic_left");
   config.create_database = true;
-  config.patient_code = "P-2";
-  config.hand.reset();
-  config.device_uri = pair_uri("paretic_left", 7);
-  config.library = kLibrary;
-  config.virtual_time = true;
-  config.clock_is_right = true;
   const auto protocol =
       test::must(read_protocol(kLibrary + "/protocols/two_hands_short.toml", kLibrary));
   config.protocol_name = protocol.spec.name;
@@ -147,23 +146,37 @@ TEST(TwoHandsSession, AResumedSessionKeepsSideAndCeilings) {
   config.ceiling_N.reset();
   config.ceilings_N = {};
   config.resume = true;
-  const auto session = test::must(Session::open(config));
-  const tasks::TwoHandsReferences& known = session->known().two_hands;
+  const auto resumed = [&] {
+    const auto session = test::must(Session::open(config));
+    const tasks::TwoHandsReferences known = session->known().two_hands;
+    session->close();
+    return known;
+  };
+  const auto known = resumed();
   EXPECT_EQ(known.affected, Hand::left);
   EXPECT_EQ(known.of.left.ceiling_N, 4.0);
   EXPECT_EQ(known.of.right.ceiling_N, 30.0) << "the one of both";
+  config.ceiling_N = 3.0;
+  const auto stricter = resumed();
+  EXPECT_EQ(stricter.of.left.ceiling_N, 3.0) << "said today of both";
+  EXPECT_EQ(stricter.of.right.ceiling_N, 3.0);
+}
+
+TEST(TwoHandsSession, ACheckOfThePlatformsThatIsLeftOutForgetsTheOneBefore) {
+  const test::TemporaryFolder folder;
+  SessionConfig config = pair_config(folder.path() + "/clinic.db", "healthy");
+  config.create_database = true;
+  const auto session = test::must(Session::open(config));
+  EXPECT_FALSE(session->known().two_hands.coupled.has_value());
+  platforms_checked(*session, false);
+  EXPECT_EQ(session->known().two_hands.coupled, false);
+  platforms_checked(*session, std::nullopt);
+  EXPECT_FALSE(session->known().two_hands.coupled.has_value());
 }
 
 TEST(TwoHandsSession, ASideThatIsNotThatOfTheRecordIsRefused) {
   const PairSession known("paretic_left", storage::Side::left);
-  SessionConfig config;
-  config.database = known.database;
-  config.patient_code = "P-2";
-  config.hand.reset();
-  config.device_uri = pair_uri("paretic_left", 7);
-  config.library = kLibrary;
-  config.virtual_time = true;
-  config.clock_is_right = true;  // sessions in virtual time end ahead of every clock
+  SessionConfig config = pair_config(known.database, "paretic_left");
   config.affected = Hand::right;
   const auto refused = Session::open(config);
   ASSERT_FALSE(refused);
@@ -174,13 +187,8 @@ TEST(TwoHandsSession, ASideThatIsNotThatOfTheRecordIsRefused) {
 
 TEST(TwoHandsSession, WithOneDeviceOrOneHandIsRefusedAndNothingIsWritten) {
   const test::TemporaryFolder folder;
-  SessionConfig config;
-  config.database = folder.path() + "/clinic.db";
+  SessionConfig config = pair_config(folder.path() + "/clinic.db", "healthy");
   config.create_database = true;
-  config.patient_code = "P-2";
-  config.library = kLibrary;
-  config.virtual_time = true;
-  config.hand.reset();
   config.device_uri = "sim://healthy";
   EXPECT_FALSE(Session::open(config));
   config.hand = Hand::right;

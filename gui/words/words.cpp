@@ -17,7 +17,8 @@ namespace isograsp::gui {
 QString short_number(double value) {
   const double size = std::abs(value);
   const int decimals = size >= 100.0 ? 0 : size >= 10.0 ? 1 : 2;
-  QString text = translated_number(value, decimals);
+  constexpr double kRoundsToZero = 0.005;  // of two decimals: no minus before it
+  QString text = translated_number(size < kRoundsToZero ? 0.0 : value, decimals);
   return text.replace(QLatin1Char('-'), QChar(0x2212));  // a real minus sign
 }
 

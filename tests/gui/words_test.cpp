@@ -74,6 +74,12 @@ session::Snapshot frame_at(double t_s, double force_N) {
   return snapshot;
 }
 
+TEST(ShortNumber, OfWhatRoundsToZeroHasNoMinus) {
+  EXPECT_EQ(short_number(-0.0049), "0.00");
+  EXPECT_EQ(short_number(-0.0), "0.00");
+  EXPECT_EQ(short_number(-0.0051), QString(QChar(0x2212)) + "0.01");
+}
+
 TEST(ForceHistory, ForgetsWhatIsOlderThanItsLength) {
   ForceHistory history(2.0);
   for (int i = 0; i <= 1000; ++i) history.add(frame_at(0.01 * i, 1.0));

@@ -16,9 +16,8 @@ class TouchRule {
  public:
   TouchRule() = default;
   explicit TouchRule(double threshold_N) noexcept : least_N_{threshold_N, 0.5 * threshold_N} {}
-  [[nodiscard]] bool touches(bool was, double fz_N) const noexcept {
-    return fz_N > least_N_[was ? 1 : 0];
-  }
+  [[nodiscard]] bool touches(bool was, double fz_N) const noexcept { return fz_N > least_N(was); }
+  [[nodiscard]] double least_N(bool was) const noexcept { return least_N_[was ? 1 : 0]; }
 
  private:
   std::array<double, 2> least_N_{};  ///< to touch, to stay
@@ -57,30 +56,6 @@ struct ContactForce {
 /// safe; right also where squares over- or underflow, but not for inputs that are not finite.
 [[nodiscard]] ContactForce clamp_to_friction(const FrictionLimit& limit,
                                              const Wrench& F_C) noexcept;
-
-/// The same for a pressing finger, inline and without torsion, if no square over- or underflows:
-/// returns whether that is so, and then the bits are the same. Real-time safe.
-[[nodiscard]] inline bool clamp_without_torsion(const FrictionLimit& limit, const Wrench& F_C,
-                                                ContactForce& out) noexcept {
-  constexpr double kLeast = 1e-280;  // above it a square and its root keep all their digits
-  const double fx = F_C.force.x();
-  const double fy = F_C.force.y();
-  const double fz = F_C.force.z();
-  const double holds = limit.mu * fz;
-  const double holds_squared = holds * holds;
-  const double tangential_squared = fx * fx + fy * fy;
-  if (!(holds_squared > kLeast && holds_squared < 1.0 / kLeast)) return false;
-  out = {fx, fy, fz, 0.0, false};
-  if (tangential_squared <= holds_squared) return true;
-  if (!(tangential_squared < 1.0 / kLeast)) return false;
-  const double kept = holds / std::sqrt(tangential_squared);
-  out.slip = kept < 1.0;
-  if (out.slip) {
-    out.fx *= kept;
-    out.fy *= kept;
-  }
-  return true;
-}
 
 /// Share of the friction limit that a measured wrench asks for; > 1: the clamp acts. Infinite if a
 /// limit of zero is loaded; 0 for f_z <= 0 and where nothing is limited. Real-time safe.

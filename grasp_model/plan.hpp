@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <memory>
 
 #include "core/result.hpp"
@@ -68,6 +69,8 @@ class Plan {
   /// One hold, from finger forces to the object's new state: contact hysteresis, friction clamp,
   /// the rows of the grasp map that move something, the exact step. Real-time safe.
   void step(const FingerWrenches& wrench_C, ObjectState& state) const noexcept;
+  /// The same as on a processor without AVX2: the same bits, which tests hold it to.
+  void step_narrow(const FingerWrenches& wrench_C, ObjectState& state) const noexcept;
 
   /// The same in two halves with all that is worth recording, bit for bit the same motion.
   /// First the wrench that these forces produce from now on; updates state.contact. Real-time safe.
@@ -119,10 +122,7 @@ class Plan {
   template <class Use>
   unsigned touch(const FingerWrenches& wrench_C, ObjectState& state, const Use& use) const noexcept;
   void compile_lanes();
-  /// Axes that move independently: plan_lanes.cpp.
-  template <int linear, Rotations turning>
-  static void step_lanes(const Plan& plan, const FingerWrenches& wrench_C,
-                         ObjectState& state) noexcept;
+  friend struct LaneKernels;  // axes that move independently: plan_lanes.cpp
   void step_any(const FingerWrenches& wrench_C, ObjectState& state) const noexcept;
   [[nodiscard]] std::array<double, 6> rows_of(const Wrench& held) const noexcept;
   // `rows`: what stays constant during the hold, as GraspWrench::held, packed as rows_.
@@ -137,11 +137,14 @@ class Plan {
     state.w_WO_W[axis_] = turn.v;
     set_attitude(turn.x, state);
   }
-  void set_attitude(double angle_rad, ObjectState& state) const noexcept {
-    const auto [cosine, sine] = so3::cos_sin(0.5 * angle_rad);
-    state.X_WO.q.w() = branch_ < 0.0 ? -cosine : cosine;
-    state.X_WO.q.vec()[axis_] = branch_ < 0.0 ? -sine : sine;
+  [[gnu::always_inline]] void set_attitude(double angle_rad, ObjectState& state) const noexcept {
+    if (!(std::abs(angle_rad) <= so3::kNear_rad)) return set_far_attitude(state);
+    const Eigen::Array2d q =
+        so3::half_turn(angle_rad) * Eigen::Array2d(branch_, branch_ * angle_rad);
+    state.X_WO.q.w() = q[0];
+    state.X_WO.q.vec()[axis_] = q[1];
   }
+  void set_far_attitude(ObjectState& state) const noexcept;  ///< of state.angle_rad
   /// Three free rotations, or a force that follows one.
   void turn(const Coefficients& steps, const double* rows, ObjectState& state) const noexcept;
   void turn_freely(double hold_s, const Wrench& held, ObjectState& state) const noexcept;

@@ -12,25 +12,30 @@ namespace isograsp {
 class Plan;
 struct ObjectState;
 
-/// A lane is one free axis: up to three translations, then the rotation or, for the forces alone,
-/// three. Two lanes stand in one vector register.
+/// Numbers in fours: first a finger a lane (plan_lanes.cpp says in which order), then a free axis a
+/// lane: the translations in their order, behind them the one free rotation.
 struct PlanLanes {
-  using Pair = double __attribute__((vector_size(16)));
-  using Four = std::array<Pair, 2>;
-  using Six = std::array<Pair, 3>;
+  using Four = double __attribute__((vector_size(32)));
+  using Mask = long long __attribute__((vector_size(32)));
 
+  // Fingers.
+  Four friction{};
+  /// f_z above which a finger touches; stays if it touched; touches and has a friction limit that
+  /// can be squared [N].
+  Four touches_above{}, stays_above{}, presses_above{};
+  std::array<Mask, 8> passes{};                  ///< whose force acts, by the set that touches
+  std::array<std::array<Four, 3>, 6> columns{};  ///< of f_x f_y f_z, by row of the grasp map
+  // Axes: LinearStep.
   Four weight{};  ///< [N]
   Four anchor{};  ///< [m]
   Four force_share{}, position_share{}, x_of_v{}, x_of_off{}, v_of_v{}, v_of_off{};
-  Four about_rest{};                                       ///< 0 or 1
-  std::array<std::array<Six, 3>, kFingerCount> columns{};  ///< of f_x f_y f_z, by contact
-  /// The kernel of this plan; null if it needs more than independent axes.
-  void (*step)(const Plan&, const FingerWrenches&, ObjectState&) noexcept = nullptr;
-
-  template <std::size_t pairs>
-  static void put(std::array<Pair, pairs>& lanes, std::size_t lane, double value) {
-    lanes[lane / 2][lane % 2] = value;
-  }
+  Mask about_rest{};
+  bool some_about_rest = false;  ///< else force_share is 1
+  /// The kernel of this plan, on this processor and on one without registers of this width; null
+  /// if the plan needs more than independent axes.
+  using Step = void(const Plan&, const FingerWrenches&, ObjectState&) noexcept;
+  Step* step = nullptr;
+  Step* narrow = nullptr;
 };
 
 }  // namespace isograsp

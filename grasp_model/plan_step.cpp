@@ -85,6 +85,12 @@ Motion Plan::turn_about_axis(const LinearStep& step, double hold_s, double torqu
   return advance_within(turn_, step, travel_[dof], hold_s, start, torque);
 }
 
+void Plan::set_far_attitude(ObjectState& state) const noexcept {
+  const auto [cosine, sine] = so3::cos_sin(0.5 * state.angle_rad);
+  state.X_WO.q.w() = branch_ * cosine;
+  state.X_WO.q.vec()[axis_] = branch_ * sine;
+}
+
 void Plan::move_coupled(const CoupledStep& step, const double* rows,
                         ObjectState& state) const noexcept {
   Vec3 x = Vec3::Zero();
@@ -151,6 +157,13 @@ void Plan::step_any(const FingerWrenches& wrench_C, ObjectState& state) const no
 void Plan::step(const FingerWrenches& wrench_C, ObjectState& state) const noexcept {
   if (lanes_.step != nullptr)
     lanes_.step(*this, wrench_C, state);
+  else
+    step_any(wrench_C, state);
+}
+
+void Plan::step_narrow(const FingerWrenches& wrench_C, ObjectState& state) const noexcept {
+  if (lanes_.narrow != nullptr)
+    lanes_.narrow(*this, wrench_C, state);
   else
     step_any(wrench_C, state);
 }

@@ -31,7 +31,12 @@ double cotangent_term(double t) noexcept {
 
 }  // namespace
 
-CosSin cos_sin_any(double x) noexcept {
+CosSin cos_sin(double x) noexcept {
+  const auto near = [](double y) {
+    const auto half = half_turn(2.0 * y);
+    return CosSin{half[0], (2.0 * y) * half[1]};
+  };
+  if (std::abs(x) <= 0.5 * kNear_rad) return near(x);
   constexpr double kReach_rad = 1e5;
   if (!(std::abs(x) <= kReach_rad)) return {std::cos(x), std::sin(x)};
   // Quarter turns taken off with pi / 2 in two parts: the first has 33 bits, so that its multiples
@@ -39,7 +44,7 @@ CosSin cos_sin_any(double x) noexcept {
   constexpr double kHalfPiHigh = 0x1.921fb544p+0;
   constexpr double kHalfPiLow = 0x1.0b4611a626331p-34;
   const double turns = std::nearbyint(x * (2.0 / std::numbers::pi));
-  const CosSin rest = cos_sin((x - turns * kHalfPiHigh) - turns * kHalfPiLow);
+  const CosSin rest = near((x - turns * kHalfPiHigh) - turns * kHalfPiLow);
   switch (static_cast<int>(turns) & 3) {
     case 0: return rest;
     case 1: return {-rest.sine, rest.cosine};

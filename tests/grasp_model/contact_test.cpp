@@ -29,7 +29,6 @@ void expect_close(double value, double reference, const std::string& what) {
 TEST(FrictionClamp, MatchesTheGoldenTable) {
   const auto rows = test::golden("friction_clamp.csv");
   ASSERT_GT(rows.size(), 40u);
-  int met_inline = 0;
   for (const auto& row : test::every(rows)) {
     Wrench measured;
     measured.force = row.vec3("fx_N", "fy_N", "fz_N");
@@ -47,20 +46,11 @@ TEST(FrictionClamp, MatchesTheGoldenTable) {
     expect_close(soft.fy, row["ell_y"], "ell_y");
     expect_close(soft.fz, row["ell_z"], "ell_z");
     expect_close(soft.tz, row["ell_tz"], "ell_tz");
-    ContactForce inline_point;
-    if (measured.force.z() > 0.0 &&
-        clamp_without_torsion(limit_of(ContactModel::point, mu), measured, inline_point)) {
-      EXPECT_EQ(inline_point.fx, point.fx);
-      EXPECT_EQ(inline_point.fy, point.fy);
-      EXPECT_EQ(inline_point.slip, point.slip);
-      ++met_inline;
-    }
     // A subnormal limit has no digits left to divide by.
     const bool normal_limit = mu * measured.force.z() > 1e-300;
     if (gamma > 0.0 && normal_limit && std::isfinite(row["utilisation"]))
       expect_close(utilisation(limit, measured), row["utilisation"], "utilisation");
   }
-  EXPECT_GT(met_inline, 20);
 }
 
 TEST(FrictionClamp, IsIdempotentHomogeneousAndNeverMakesForce) {

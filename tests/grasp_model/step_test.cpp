@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One hold from finger forces to the new state: both ways of asking for it, and hard cases.
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -80,6 +81,72 @@ TEST(Step, WithAndWithoutTheRecordIsTheSameMotionBitForBit) {
         }
         expect_same(a, b);
         EXPECT_NE(a.X_WO.p.norm() + a.X_WO.q.vec().norm(), 0.0);
+      }
+}
+
+/// Grasps that hold, slide, graze the thresholds and let go, and now and then numbers that no
+/// sensor sends.
+class Grasps {
+ public:
+  FingerWrenches next() {
+    FingerWrenches forces;
+    const double press_N = 2.0 * unit();
+    for (auto& wrench : forces) {
+      const double fz_N = unit() < 0.2 ? 0.6 * unit() - 0.1 : press_N;
+      const double tangential_N = unit() < 0.2 ? 1.5 * fz_N : 0.5 * fz_N;
+      wrench.force = Vec3(tangential_N * unit(), tangential_N * unit(), fz_N);
+      if (unit() < 0.01)
+        wrench.force[static_cast<Eigen::Index>(3.0 * unit())] =
+            kOdd[static_cast<std::size_t>(unit() * static_cast<double>(kOdd.size()))];
+    }
+    return forces;
+  }
+
+ private:
+  static constexpr std::array kOdd{0.0,  -0.0,   5e-324, 1e-170, -1e-140, 1e-139,
+                                   1e60, -1e139, 1e145,  kNaN,   kInf,    -kInf};
+  double unit() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
+  std::mt19937_64 random_{12};
+};
+
+TEST(Step, EveryKernelGivesTheBitsOfTheTwoHalvesOnEveryProcessor) {
+  constexpr std::array<const char*, 3> kAxes{"\"x\"", "\"y\"", "\"z\""};
+  for (unsigned along = 0; along < 8; ++along)
+    for (const std::string& turning :
+         {std::string(), std::string("\"rx\""), std::string("\"rz\""), kTurning})
+      for (const bool stiff : {false, true}) {
+        std::string free;
+        for (unsigned axis = 0; axis < 3; ++axis)
+          if ((along >> axis & 1) != 0)
+            free += (free.empty() ? "" : ", ") + std::string(kAxes[axis]);
+        if (!turning.empty()) free += (free.empty() ? "" : ", ") + turning;
+        if (free.empty()) continue;
+        Scene scene = scene_with(free);
+        if (stiff) scene.stiffness.head<3>() *= 1e4;
+        scene.gravity_m_s2 = {0.3, -9.81, 0.1};
+        scene.anchor_m = {0.02, -0.01, 0.03};
+        scene.initial_X_WO.p = {0.025, -0.01, 0.02};
+        for (auto& contact : scene.contacts) contact.threshold_N = 0.3;
+        const Plan plan = test::plan_of(scene);
+        ObjectState whole = plan.initial_state();
+        ObjectState halves = whole;
+        ObjectState narrow = whole;
+        Grasps grasps;
+        int held = 0;
+        for (int i = 0; i < 600; ++i) {
+          const FingerWrenches forces = grasps.next();
+          plan.step(forces, whole);
+          plan.step_narrow(forces, narrow);
+          plan.move(plan.grasp(forces, halves), halves);
+          held += whole.contact[0] && whole.contact[1] && whole.contact[2] ? 1 : 0;
+          ASSERT_EQ(whole.contact, halves.contact) << free << ", frame " << i;
+          ASSERT_EQ(whole.X_WO.p, halves.X_WO.p) << free << ", frame " << i;
+        }
+        SCOPED_TRACE(free);
+        expect_same(whole, halves);
+        expect_same(whole, narrow);
+        EXPECT_GT(held, 100);
+        EXPECT_LT(held, 500);
       }
 }
 

@@ -98,6 +98,7 @@ std::string bids_events_sidecar(const Language& language) {
   levels["occluded"] = say("something was out of sight of the cameras"_text);
   levels["object_lost"] = say("the object had left the hand"_text);
   levels["let_go"] = say("the therapist let the object go for the person"_text);
+  levels["answer"] = say("the person answered a question about the trial"_text);
   levels["resume"] = say("the trial went on"_text);
   levels["abort"] = say("the trial was ended early"_text);
   return Json{{"trial_type", {{"Description", say("What happened"_text)}, {"Levels", levels}}},

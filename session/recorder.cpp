@@ -47,7 +47,7 @@ void Recorder::take_remarks() {
     helped.swap(helped_);
   }
   for (auto& event : events) {
-    event.trial_id = trial_id_;
+    if (!event.trial_id) event.trial_id = trial_id_;
     stored(store_->add_event(event));
   }
   for (const auto& rating : ratings) take_rating(rating.record, rating.corrects);

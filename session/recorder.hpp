@@ -41,7 +41,7 @@ class Recorder {
   void wait_for_news(double seconds);
   [[nodiscard]] std::vector<Measure> live_score() const;
   // These go to the database with the next pump().
-  void add_event(const storage::EventRecord& event);
+  void add_event(const storage::EventRecord& event);     ///< of its trial, else of what runs
   void add_rating(const storage::RatingRecord& rating);  ///< after the newest trial
   /// Of the rating that was added last; its time is that of the correction.
   void correct_rating(const storage::RatingRecord& rating);

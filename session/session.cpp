@@ -11,6 +11,7 @@
 #include "session/resting.hpp"
 #include "session/session_parts.hpp"
 #include "session/tracked_hand/tracked_hand.hpp"
+#include "storage/records/trial_answers.hpp"
 
 namespace isograsp::session {
 
@@ -129,27 +130,29 @@ void Session::mark_helped(bool helped) {
   p.learn(*p.last);
 }
 
-std::optional<Text> Session::rate(int effort, int pain, std::optional<int> shoulder_pain) {
-  storage::RatingRecord rating;
-  rating.session_time_s = moment().session_time_s;
-  rating.effort = effort;
-  rating.pain = pain;
-  rating.shoulder_pain = shoulder_pain;
-  parts_->recorder->add_rating(rating);
-  parts_->ratings.push_back(rating);
-  return reason_to_stop(parts_->ratings);
+void Session::answer_question(const std::string& question, std::optional<int> number) {
+  if (!parts_->last) return;
+  parts_->recorder->add_event({parts_->last->trial.id, moment().session_time_s,
+                               storage::kAnswerEvent, storage::answer_text(question, number)});
 }
 
-std::optional<Text> Session::correct_rating(int effort, int pain,
-                                            std::optional<int> shoulder_pain) {
-  storage::RatingRecord& rating = parts_->ratings.back();
+std::optional<Text> Session::rate(int effort, int pain, std::optional<int> shoulder_pain,
+                                  Said said) {
+  auto& all = parts_->ratings;
+  const bool anew = said == Said::anew;
+  if (anew) all.emplace_back().session_time_s = moment().session_time_s;
+  storage::RatingRecord& rating = all.back();
   rating.effort = effort;
   rating.pain = pain;
   rating.shoulder_pain = shoulder_pain;
-  storage::RatingRecord correction = rating;
-  correction.session_time_s = moment().session_time_s;
-  parts_->recorder->correct_rating(correction);
-  return reason_to_stop(parts_->ratings);
+  if (anew) {
+    parts_->recorder->add_rating(rating);
+  } else {
+    storage::RatingRecord correction = rating;
+    correction.session_time_s = moment().session_time_s;
+    parts_->recorder->correct_rating(correction);
+  }
+  return reason_to_stop(all);
 }
 
 std::vector<SessionNews> Session::take_news() {

@@ -159,14 +159,18 @@ class Session {
   /// The therapist helps in the running trial or, if none runs, did in the last one: it is kept and
   /// marked, and neither references nor levels follow from it. False takes the mark away again.
   void mark_helped(bool helped = true);
+  /// What the patient answers to a question about the last trial that ended, stored with it; again,
+  /// it takes the place of what was said before. No number: they were asked and gave none.
+  /// @pre the question is one of the trial's task, the number on its scale
+  void answer_question(const std::string& question, std::optional<int> number);
   /// What the patient says of the work so far, 0 to 10 each; of the shoulder where the hand is
   /// carried to its targets.
   /// @return why work should stop now; nothing: it may go on.
+  /// Corrected: the last rating was meant to be this. @pre there is one in this session
+  enum class Said : std::uint8_t { anew, corrected };
   [[nodiscard]] std::optional<Text> rate(int effort, int pain,
-                                         std::optional<int> shoulder_pain = std::nullopt);
-  /// The last rating was meant to be this. @pre rate() was called in this session
-  [[nodiscard]] std::optional<Text> correct_rating(int effort, int pain,
-                                                   std::optional<int> shoulder_pain = std::nullopt);
+                                         std::optional<int> shoulder_pain = std::nullopt,
+                                         Said said = Said::anew);
 
   /// News since the last call, without waiting.
   [[nodiscard]] std::vector<SessionNews> take_news();

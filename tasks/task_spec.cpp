@@ -125,6 +125,12 @@ void read_difficulty(TomlReader& reader, TaskSpec& spec) {
   spec.difficulty = std::move(difficulty);
 }
 
+const Questionnaire* read_questionnaire(TomlReader& reader) {
+  std::vector<std::string_view> names;
+  for (const Questionnaire& one : questionnaires()) names.push_back(one.name);
+  return &questionnaires()[reader.choice("questionnaire", names, 0)];
+}
+
 }  // namespace
 
 Result<TaskSpec> at_level(const TaskSpec& spec, double level) {
@@ -143,6 +149,7 @@ Result<TaskSpec> parse_task(std::string_view text, const std::string& file) {
   spec.version = read_count(*reader, "version", 1, kMostVersion);
   spec.kind = read_kind(*reader);
   read_difficulty(*reader, spec);
+  if (reader->has("questionnaire")) spec.questionnaire = read_questionnaire(*reader);
   constexpr double kLongestTask_s = 7200.0;  // a trial is kept in memory while it is scored
   if (spec.duration().worst_s > kLongestTask_s)
     reader->fail("", "takes longer than two hours"_text,

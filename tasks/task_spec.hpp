@@ -10,6 +10,7 @@
 
 #include "core/result.hpp"
 #include "tasks/kind_spec.hpp"
+#include "tasks/questions/questionnaire.hpp"
 
 namespace isograsp::tasks {
 
@@ -19,8 +20,9 @@ struct TaskSpec {
   int version = 1;
   KindSpec kind;
   std::optional<Difficulty> difficulty;
-  std::string file;  ///< where it was read from, for errors
-  std::string text;  ///< the file itself: stored with every trial
+  const Questionnaire* questionnaire = nullptr;  ///< asked after each trial; null: nothing is
+  std::string file;                              ///< where it was read from, for errors
+  std::string text;                              ///< the file itself: stored with every trial
 
   // What its kind says of it (kind_facts.hpp).
   /// The scene the task needs; empty: none (a force task has no object).

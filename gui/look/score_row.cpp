@@ -9,27 +9,26 @@
 
 namespace isograsp::gui {
 
-namespace {
-constexpr int kMost = 10;
-}
-
 ScoreRow::ScoreRow(const QString& name, const QString& question, QWidget* parent)
+    : ScoreRow(name, question, Scale(), parent) {}
+
+ScoreRow::ScoreRow(const QString& name, const QString& question, Scale scale, QWidget* parent)
     : QWidget(parent), numbers_(new QButtonGroup(this)) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(1);
   constexpr int kLeast_px = 28;
   setMinimumHeight(scaled(kLeast_px));
-  for (int value = 0; value <= kMost; ++value) {
+  for (int value = scale.least; value <= scale.most; ++value) {
     auto* button = new QToolButton;
     button->setObjectName(QStringLiteral("%1_%2").arg(name).arg(value));
     button->setText(QString::number(value));
     button->setCheckable(true);
     button->setProperty("score", true);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    button->setFocusPolicy(value == 0 ? Qt::StrongFocus : Qt::ClickFocus);
-    describe(*button, tr("%1: %2 of 10").arg(question).arg(value),
-             tr("%1: %2 of 10 (Tab, then arrow keys)").arg(question).arg(value));
+    button->setFocusPolicy(value == scale.least ? Qt::StrongFocus : Qt::ClickFocus);
+    describe(*button, tr("%1: %2 of %3").arg(question).arg(value).arg(scale.most),
+             tr("%1: %2 of %3 (Tab, then arrow keys)").arg(question).arg(value).arg(scale.most));
     numbers_->addButton(button, value);
     constexpr int kBesideDigits_px = 4;
     button->ensurePolished();  // its letters are those of the style

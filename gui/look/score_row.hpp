@@ -13,8 +13,13 @@ class ScoreRow final : public QWidget {
   Q_OBJECT
 
  public:
+  struct Scale {
+    int least = 0;
+    int most = 10;
+  };
   /// Its buttons are called `name`_0 … `name`_10.
   ScoreRow(const QString& name, const QString& question, QWidget* parent = nullptr);
+  ScoreRow(const QString& name, const QString& question, Scale scale, QWidget* parent = nullptr);
   void show_value(std::optional<int> value);
 
  Q_SIGNALS:

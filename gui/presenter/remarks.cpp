@@ -24,6 +24,15 @@ void Remarks::rate_shoulder_pain(int pain) {
   store_rating();
 }
 
+void Remarks::answer_question(std::size_t question, std::optional<int> number) {
+  if (!state_.open || state_.open->rating.questions.asked == nullptr) return;
+  TrialQuestions& questions = state_.open->rating.questions;
+  questions.said[question] = number;
+  const tasks::AskedQuestion asked{questions.asked, &questions.asked->questions[question]};
+  state_.open->session->answer_question(asked.full_name(), number);
+  flow_.update();
+}
+
 void Remarks::store_rating() {
   OpenSession& open = *state_.open;
   Rating& rating = open.rating;
@@ -32,9 +41,9 @@ void Remarks::store_rating() {
   if (whole) {
     const int effort = *rating.effort;
     const int pain = *rating.pain;
-    const auto reason = rating.corrects
-                            ? open.session->correct_rating(effort, pain, rating.shoulder_pain)
-                            : open.session->rate(effort, pain, rating.shoulder_pain);
+    using Said = session::Session::Said;
+    const auto reason = open.session->rate(effort, pain, rating.shoulder_pain,
+                                           rating.corrects ? Said::corrected : Said::anew);
     rating.stop_reason = reason.value_or(Text());
     if (!rating.stop_reason.empty()) open.work.guide.go_on(false);
     if (!rating.corrects) open.work.guide.rated();

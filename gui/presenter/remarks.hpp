@@ -3,6 +3,7 @@
 // Without a session it is ignored. GUI thread.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "gui/presenter/act_context.hpp"
@@ -18,6 +19,8 @@ class Remarks {
   void rate_effort(int effort);
   void rate_pain(int pain);
   void rate_shoulder_pain(int pain);
+  /// The answer to a question about the last trial, kept at once; no number: none was wanted.
+  void answer_question(std::size_t question, std::optional<int> number);
   void show_rated();  ///< shows the last answer again, so that it can be corrected
   /// Another block of work begins: the last answer is no longer shown.
   void ask_rating_anew();

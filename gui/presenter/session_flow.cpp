@@ -193,6 +193,7 @@ void SessionFlow::add_session_facts(const OpenSession& open, FlowFacts& facts) c
   facts.stop_reason = reason.empty() ? open.limits.reason_to_stop().value_or(Text()) : reason;
   if (follows)
     facts.protocol = protocol_facts(open.work.guide, state_.choices.by_itself, open.time_s());
+  if (open.rating.questions.due()) facts.protocol.goes_on = false;
   if (open.both) add_both_facts(open, facts);
   if (open.ended) {
     facts.last_rested = is_rest(*open.ended->task);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/presenter/session_state.hpp"
 
+#include <algorithm>
+
 #include "session/open_two_platforms.hpp"
 
 namespace isograsp::gui {
@@ -28,6 +30,10 @@ Result<tasks::TaskSpec> Work::at_chosen_level(const tasks::TaskSpec& spec) const
   const auto chosen = levels.find(spec.file);
   if (chosen == levels.end() || !spec.difficulty) return spec;
   return tasks::at_level(spec, chosen->second);
+}
+
+bool TrialQuestions::due() const noexcept {
+  return std::ranges::any_of(said, [](const auto& answer) { return !answer.has_value(); });
 }
 
 void HandsAtRest::add(const session::TwoPlatformsSnapshot& now) noexcept {

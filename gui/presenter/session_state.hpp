@@ -172,6 +172,16 @@ class HandsAtRest {
   double last_s_ = -1.0;
 };
 
+/// What is asked about the last trial.
+struct TrialQuestions {
+  const tasks::Questionnaire* asked = nullptr;  ///< null: nothing is
+  /// By question: nothing: not said yet; no number: no answer was wanted.
+  std::vector<std::optional<std::optional<int>>> said;
+
+  /// Something has not been said: nothing begins by itself.
+  [[nodiscard]] bool due() const noexcept;
+};
+
 /// What the patient says of the work.
 struct Rating {
   struct Answer {
@@ -185,6 +195,7 @@ struct Rating {
   bool corrects = false;       ///< all are the last answer: another number corrects it
   std::optional<Answer> last;  ///< of this session
   Text stop_reason;            ///< why work should end
+  TrialQuestions questions;
 };
 
 /// What is to be done next in a session.

@@ -69,6 +69,7 @@ Result<void> Trials::begin(const tasks::TaskSpec& spec, bool practice,
   open.trial.emplace();
   open.trial->practice = practice;
   remarks_.ask_rating_anew();
+  open.rating.questions = {};
   prepare_picture(spec, context);
   Q_EMIT flow_.score_changed();
   flow_.update();
@@ -144,7 +145,7 @@ void Trials::follow_time() {
   if (before.has_value() != guide.act().has_value() ||
       (before && before->step != guide.act()->step))
     next_.look_at_act();
-  if (!guide.goes_on() || !open.work.act_task) return;
+  if (!guide.goes_on() || !open.work.act_task || open.rating.questions.due()) return;
   flow_.decide();
   const FlowView& view = flow_.view();
   if (view.must_stand_by) return next_.hold();
@@ -207,6 +208,9 @@ void Trials::take(const session::TrialOutcome& outcome) {
     const bool missed = completed && trial.view.targets_reached < trial.view.target_count;
     open.ended = EndedTrial{trial.task, trial.practice, trial.helped, completed, missed};
     if (completed) take_progress(*trial.task);
+    if (const auto* asked = trial.task->questionnaire; completed && asked != nullptr)
+      open.rating.questions = {asked,
+                               decltype(open.rating.questions.said)(asked->questions.size())};
     watch_limits(outcome);
   }
   if (open.work.follows()) open.work.guide.trial_ended(outcome, open.time_s());

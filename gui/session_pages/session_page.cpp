@@ -10,6 +10,7 @@
 #include "gui/hand_pages/hand_panel.hpp"
 #include "gui/look/look.hpp"
 #include "gui/session_pages/prepare_panel.hpp"
+#include "gui/session_pages/questions_panel.hpp"
 #include "gui/session_pages/run_panel.hpp"
 #include "gui/session_pages/score_panel.hpp"
 
@@ -43,6 +44,7 @@ SessionPage::SessionPage(SessionPresenter& presenter, const SettingsFile& settin
   watch->addWidget(new BothHandsPanel(presenter), 3);
   watch->addWidget(new ArmPanel(presenter), 5);
   watch->addWidget(new HandPanel(presenter), 3);
+  watch->addWidget(new QuestionsPanel(presenter));
   watch->addWidget(new ScorePanel(presenter), 2);
   auto* run = make_column(in_a_row ? 290 : 250, in_a_row ? 400 : 0);
   auto* now = new RunPanel(presenter);

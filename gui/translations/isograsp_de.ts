@@ -6276,6 +6276,25 @@ Neu verbunden: %7</translation>
     </message>
 </context>
 <context>
+    <name>isograsp::gui::QuestionsPanel</name>
+    <message>
+        <source>About the last trial</source>
+        <translation>Zum letzten Versuch</translation>
+    </message>
+    <message>
+        <source>No answer</source>
+        <translation>Keine Antwort</translation>
+    </message>
+    <message>
+        <source>%1: no answer</source>
+        <translation>%1: keine Antwort</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3: %4. Each answer is kept at once; another one corrects it.</source>
+        <translation>%1: %2, %3: %4. Jede Antwort wird sofort gespeichert; eine andere berichtigt sie.</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::RatingPanel</name>
     <message>
         <source>Kept: effort %1, pain %2. Another number corrects it.</source>
@@ -6956,12 +6975,12 @@ Neu verbunden: %7</translation>
 <context>
     <name>isograsp::gui::ScoreRow</name>
     <message>
-        <source>%1: %2 of 10</source>
-        <translation>%1: %2 von 10</translation>
+        <source>%1: %2 of %3</source>
+        <translation>%1: %2 von %3</translation>
     </message>
     <message>
-        <source>%1: %2 of 10 (Tab, then arrow keys)</source>
-        <translation>%1: %2 von 10 (Tab, dann Pfeiltasten)</translation>
+        <source>%1: %2 of %3 (Tab, then arrow keys)</source>
+        <translation>%1: %2 von %3 (Tab, dann Pfeiltasten)</translation>
     </message>
 </context>
 <context>

@@ -6276,6 +6276,25 @@ Reconnecté&#xa0;: %7</translation>
     </message>
 </context>
 <context>
+    <name>isograsp::gui::QuestionsPanel</name>
+    <message>
+        <source>About the last trial</source>
+        <translation>À propos du dernier essai</translation>
+    </message>
+    <message>
+        <source>No answer</source>
+        <translation>Sans réponse</translation>
+    </message>
+    <message>
+        <source>%1: no answer</source>
+        <translation>%1&#xa0;: sans réponse</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3: %4. Each answer is kept at once; another one corrects it.</source>
+        <translation>%1&#xa0;: %2, %3&#xa0;: %4. Chaque réponse est enregistrée aussitôt&#xa0;; une autre la corrige.</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::RatingPanel</name>
     <message>
         <source>Kept: effort %1, pain %2. Another number corrects it.</source>
@@ -6956,12 +6975,12 @@ Reconnecté&#xa0;: %7</translation>
 <context>
     <name>isograsp::gui::ScoreRow</name>
     <message>
-        <source>%1: %2 of 10</source>
-        <translation>%1&#xa0;: %2 sur 10</translation>
+        <source>%1: %2 of %3</source>
+        <translation>%1&#xa0;: %2 sur %3</translation>
     </message>
     <message>
-        <source>%1: %2 of 10 (Tab, then arrow keys)</source>
-        <translation>%1&#xa0;: %2 sur 10 (Tab, puis flèches)</translation>
+        <source>%1: %2 of %3 (Tab, then arrow keys)</source>
+        <translation>%1&#xa0;: %2 sur %3 (Tab, puis flèches)</translation>
     </message>
 </context>
 <context>

@@ -127,8 +127,12 @@ double DayCounter::day_of(const std::string& started_utc) {
   return std::difftime(day_, *first_) / (24.0 * kSecondsPerHour);
 }
 
+bool is_own_work(const storage::TrialRecord& trial) {
+  return trial.status == storage::TrialStatus::completed && !trial.helped;
+}
+
 bool counts(const storage::TrialRecord& trial) {
-  return trial.status == storage::TrialStatus::completed && !trial.practice && !trial.helped;
+  return is_own_work(trial) && !trial.practice;
 }
 
 }  // namespace isograsp::reports

@@ -72,6 +72,8 @@ class DayCounter {
   std::time_t day_ = 0;  ///< when the first session of the current day began
 };
 
+/// Completed and not helped, be it practice.
+[[nodiscard]] bool is_own_work(const storage::TrialRecord& trial);
 /// The trial is an assessment: completed, neither practice nor helped.
 [[nodiscard]] bool counts(const storage::TrialRecord& trial);
 

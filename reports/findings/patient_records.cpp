@@ -5,10 +5,26 @@
 
 #include "reports/findings/comparable.hpp"
 #include "reports/findings/renewed.hpp"
+#include "storage/records/trial_answers.hpp"
+#include "tasks/questions/questionnaire.hpp"
 
 namespace isograsp::reports {
 
 namespace {
+
+/// Answers to the questions of the task, as measures of the trial; without a number there is none.
+void add_answers(const storage::TrialAnswers& answers, std::vector<Measure>& measures) {
+  for (const auto& [name, number] : answers) {
+    const auto asked = tasks::question_named(name);
+    if (!asked || !number) continue;
+    measures.push_back({.name = name,
+                        .channel = {},
+                        .value = static_cast<double>(*number),
+                        .unit = "of " + std::to_string(asked->of->most),
+                        .samples = 1,
+                        .reason = {}});
+  }
+}
 
 constexpr std::size_t kDateLength = 10;  // of "2026-03-05"
 
@@ -76,6 +92,8 @@ Result<PatientRecords> read_patient(storage::SessionStore& store, const std::str
                               session.provenance});
     auto trials = store.trials(session.id);
     if (!trials) return trials.error();
+    const auto events = store.events(session.id);
+    if (!events) return events.error();
     for (auto& trial : *trials) {
       auto measures = std::move(measures_of[trial.id]);
       renewal.renew(records->patient.id, trial, measures);
@@ -84,6 +102,7 @@ Result<PatientRecords> read_patient(storage::SessionStore& store, const std::str
                         [](const Measure& measure) { return measure.recomputed; });
       records->renewed_results += static_cast<int>(recomputed);
       records->renewed_trials += recomputed > 0 ? 1 : 0;
+      add_answers(storage::answers_of(trial.id, *events), measures);
       records->trials.push_back({index, &session, std::move(trial), std::move(measures)});
     }
   }

@@ -105,7 +105,7 @@ void choose(const Study& study, const std::vector<StudyCondition>& conditions, S
         if (why == no_session) why = "no such task in the session"_text;
         continue;
       }
-      if (!counts(trial.trial)) {
+      if (!(study.practice ? is_own_work(trial.trial) : counts(trial.trial))) {
         why = "practice, helped or not completed"_text;
         left_out.add(why);
         continue;

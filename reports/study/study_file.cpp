@@ -167,6 +167,7 @@ Result<Study> parse_study(std::string_view text, const std::string& file) {
   study.source = static_cast<Source>(root->choice("source", {"device", "simulated", "recorded"},
                                                   static_cast<std::size_t>(Source::device)));
   study.confidence = root->number("confidence", 0.95);
+  study.practice = root->boolean("practice", false);
   if (!(study.confidence >= 0.5 && study.confidence < 1.0))
     root->fail("confidence", "is not between 0.5 and 1"_text, "0.95 is usual"_text);
   auto taken = keys_of(*root);

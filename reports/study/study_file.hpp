@@ -47,6 +47,8 @@ struct Study {
   std::string measure;
   Source source = Source::device;
   double confidence = 0.95;
+  /// Trials of practice count, too: those of tasks that help are nothing else.
+  bool practice = false;
   TrialSelection common;
   std::vector<StudyGroup> groups;
   std::vector<StudyFactor> factors;  ///< one or two; each level of one selects by the same keys

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "hand/force_channel.hpp"
+#include "tasks/questions/questionnaire.hpp"
 
 namespace isograsp::tasks {
 
@@ -427,6 +428,8 @@ MeasureWords words_of(std::string_view name, std::string_view channel) {
   if (found != kEntries.end()) {
     words = {channel == "grip" ? found->of_grip.value_or(found->title) : found->title,
              found->better, found->use == Use::clinical, found->time == Time::censored};
+  } else if (const auto asked = question_named(name)) {
+    words.title = asked->question->title;
   } else {
     std::string own(name);
     std::replace(own.begin(), own.end(), '_', ' ');

@@ -14,6 +14,7 @@
 #include "storage/access/open_store.hpp"
 #include "storage/person/consent.hpp"
 #include "storage/records/session_store.hpp"
+#include "storage/records/trial_answers.hpp"
 #include "tests/reports/paper_test.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -116,6 +117,8 @@ struct Attempts {
   bool simulated = false;
   int task_version = 1;
   std::string time = "09:30:00";
+  bool practice = false;
+  std::vector<int> answers = {};  ///< of both trials: how natural it was
 };
 
 class StudyOfClinic : public testing::Test {
@@ -143,6 +146,7 @@ class StudyOfClinic : public testing::Test {
       trial.number = number;
       trial.task_name = "Maximum grip force";
       trial.task_version = attempts.task_version;
+      trial.practice = attempts.practice;
       trial.groups = {{"task", {"t_s"}}};
       const auto trial_id = store_->begin_trial(trial);
       ASSERT_TRUE(trial_id.ok()) << trial_id.error().message();
@@ -151,6 +155,12 @@ class StudyOfClinic : public testing::Test {
       const double value = attempts.maximum_N * (number == 1 ? 0.96 : 1.0);
       const std::vector<Measure> measures{{"maximum_force", "grip", value, "N", 1, 300, 0, ""}};
       ASSERT_TRUE(store_->end_trial(trial, measures).ok());
+      for (const int answer : attempts.answers)
+        ASSERT_TRUE(
+            store_
+                ->add_event(*id, {trial.id, 60.0, storage::kAnswerEvent,
+                                  storage::answer_text("virtual_grasp.naturalness", answer)})
+                .ok());
     }
     ASSERT_TRUE(store_->end_session(*id).ok());
   }
@@ -217,6 +227,24 @@ TEST_F(StudyOfClinic, ValuesAreTheMeansOfTheStoredTrials) {
   EXPECT_TRUE(analysis.friedman->p.value);
   EXPECT_TRUE(analysis.reliability->icc.value);
   EXPECT_EQ(analysis.signed_ranks.size(), 3U);
+}
+
+TEST_F(StudyOfClinic, AnswersToQuestionsAreComparedLikeMeasuresAlsoOfPractice) {
+  for (int person = 0; person < 7; ++person)
+    for (const char* date : {"2026-03-02", "2026-03-16", "2026-03-30"}) {
+      Attempts attempts{date};
+      attempts.practice = true;
+      attempts.answers = {1, 3 + person};  // said last
+      add("TK-10" + std::to_string(person + 1), attempts);
+    }
+  const auto asked = replaced(replaced(kFile, "maximum_force", "virtual_grasp.naturalness"),
+                              "channel = \"grip\"\n", "");
+  EXPECT_FALSE(gather(asked).ok()) << "practice is not asked for";
+  const auto data = gather(replaced(asked, "hand = ", "practice = true\nhand = "));
+  ASSERT_TRUE(data.ok()) << data.error().message();
+  EXPECT_EQ(data->unit, "of 10");
+  const auto table = data->groups[0].table();
+  for (int person = 0; person < 7; ++person) EXPECT_EQ(table(person, 2), 3.0 + person);
 }
 
 TEST_F(StudyOfClinic, SimulatedAndOtherTasksDoNotMix) {

@@ -308,8 +308,9 @@ TEST(Helped, NothingFollowsFromAHelpedTrialAndTheMarkIsStored) {
     session->mark_helped();
     EXPECT_FALSE(session->rate(3, 1).has_value());
     EXPECT_TRUE(session->rate(6, 7).has_value());
-    EXPECT_FALSE(session->correct_rating(6, 2).has_value()) << "as if it had been said at once";
-    EXPECT_TRUE(session->correct_rating(6, 4).has_value());
+    EXPECT_FALSE(session->rate(6, 2, std::nullopt, Session::Said::corrected).has_value())
+        << "as if it had been said at once";
+    EXPECT_TRUE(session->rate(6, 4, std::nullopt, Session::Said::corrected).has_value());
     session->close();
     const storage::RowId id = clinic.sessions().at(0).id;
     EXPECT_FALSE(clinic.trials(id).at(0).helped);

@@ -138,13 +138,13 @@ class Plan {
     set_attitude(turn.x, state);
   }
   [[gnu::always_inline]] void set_attitude(double angle_rad, ObjectState& state) const noexcept {
-    if (!(std::abs(angle_rad) <= so3::kNear_rad)) return set_far_attitude(state);
+    if (!(std::abs(angle_rad) <= so3::kNear_rad)) return set_far_attitude(angle_rad, state);
     const Eigen::Array2d q =
         so3::half_turn(angle_rad) * Eigen::Array2d(branch_, branch_ * angle_rad);
     state.X_WO.q.w() = q[0];
     state.X_WO.q.vec()[axis_] = q[1];
   }
-  void set_far_attitude(ObjectState& state) const noexcept;  ///< of state.angle_rad
+  void set_far_attitude(double angle_rad, ObjectState& state) const noexcept;
   /// Three free rotations, or a force that follows one.
   void turn(const Coefficients& steps, const double* rows, ObjectState& state) const noexcept;
   void turn_freely(double hold_s, const Wrench& held, ObjectState& state) const noexcept;

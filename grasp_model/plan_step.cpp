@@ -85,8 +85,8 @@ Motion Plan::turn_about_axis(const LinearStep& step, double hold_s, double torqu
   return advance_within(turn_, step, travel_[dof], hold_s, start, torque);
 }
 
-void Plan::set_far_attitude(ObjectState& state) const noexcept {
-  const auto [cosine, sine] = so3::cos_sin(0.5 * state.angle_rad);
+void Plan::set_far_attitude(double angle_rad, ObjectState& state) const noexcept {
+  const auto [cosine, sine] = so3::cos_sin(0.5 * angle_rad);
   state.X_WO.q.w() = branch_ * cosine;
   state.X_WO.q.vec()[axis_] = branch_ * sine;
 }

@@ -84,6 +84,9 @@ TEST_F(Questions, AreAskedAboutATrialKeptWithItAndTheLastAnswerCounts) {
             (storage::TrialAnswers{{"virtual_grasp.naturalness", 4},
                                    {"virtual_grasp.efficiency", std::nullopt}}));
   EXPECT_TRUE(storage::answers_of(trials[1].id, events).empty()) << "they were not answered";
+  const auto findings = (*store)->check();
+  ASSERT_TRUE(findings.ok());
+  for (const Text& finding : *findings) ADD_FAILURE() << english(finding);
 }
 
 TEST_F(Questions, HoldBackWhatWouldBeginByItselfUntilAllIsSaid) {

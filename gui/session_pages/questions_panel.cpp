@@ -19,6 +19,11 @@ QuestionsPanel::QuestionsPanel(SessionPresenter& presenter, QWidget* parent)
   refresh();
 }
 
+void QuestionsPanel::resizeEvent(QResizeEvent* event) {
+  Card::resizeEvent(event);
+  setMinimumHeight(layout()->totalHeightForWidth(width()));
+}
+
 void QuestionsPanel::build(const tasks::Questionnaire& asked) {
   delete questions_;
   rows_.clear();

@@ -20,6 +20,10 @@ class QuestionsPanel final : public Card {
  public:
   explicit QuestionsPanel(SessionPresenter& presenter, QWidget* parent = nullptr);
 
+ protected:
+  /// Lines that wrap need room that no layout asks for: it would be taken from the cards around.
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void refresh();
   void build(const tasks::Questionnaire& asked);

@@ -33,6 +33,10 @@ void add_study(CommandLine& line);
 void add_target(CommandLine& line);
 void add_patch(CommandLine& line);
 void add_pad_bench(CommandLine& line);
+void add_verify_export(CommandLine& line);
+
+/// Whose key a signature was made with, as far as that is known.
+[[nodiscard]] Text words_of_key(const std::string& key, bool was_given);
 
 /// The demonstration clinic of simulated people, in a file of its own that replaces an older
 /// one; its path (app/demo.cpp).

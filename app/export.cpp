@@ -13,6 +13,7 @@
 #include "exports/research_export.hpp"
 #include "storage/access/audit_log.hpp"
 #include "storage/access/open_store.hpp"
+#include "storage/access/signing.hpp"
 
 namespace isograsp::app {
 
@@ -65,8 +66,16 @@ Result<void> run_export(const ExportOptions& options) {
     text.add("left out: 1 patient who is not released for research"_text);
   else if (*left_out > 1)
     text.add("left out: %1 patients who are not released for research"_text(*left_out));
-  const nlohmann::ordered_json json{
-      {"out", options.out}, {"trials", *written}, {"patients_not_released", *left_out}};
+  const auto key = storage::public_key_of(options.database);
+  const bool is_signed = key && !key->empty();
+  if (is_signed)
+    text.add("signed with the key %1"_text(*key));
+  else
+    text.add("not signed: no key could be made beside the database"_text);
+  const nlohmann::ordered_json json{{"out", options.out},
+                                    {"trials", *written},
+                                    {"patients_not_released", *left_out},
+                                    {"key", is_signed ? *key : std::string()}};
   if (options.json)
     print_json(json);
   else

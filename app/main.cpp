@@ -42,6 +42,7 @@ int main(int argc, char** argv) {
   isograsp::app::add_target(line);
   isograsp::app::add_patch(line);
   isograsp::app::add_pad_bench(line);
+  isograsp::app::add_verify_export(line);
 
   std::vector<const char*> words(argv, argv + argc);
   if (const auto chosen = isograsp::app::choose_language(words); !chosen)

@@ -11,6 +11,7 @@
 #include "core/csv.hpp"
 #include "exports/bids_events.hpp"
 #include "exports/bids_sidecars.hpp"
+#include "exports/export_list.hpp"
 #include "exports/export_writer.hpp"
 #include "hand/columns.hpp"
 #include "tasks/facts/column_facts.hpp"
@@ -166,7 +167,8 @@ class BidsExport final : public ExportWriter {
     const std::string subject = subject_of(place) + "/" + subject_of(place);
     const std::string session = folder_of(place) + "/" + session_of(place);
     const std::string stem = folder_of(place) + "/" + stem_of(place);
-    return {"README",
+    return {".bidsignore",
+            "README",
             "dataset_description.json",
             "participants.json",
             "participants.tsv",
@@ -219,6 +221,7 @@ class BidsExport final : public ExportWriter {
           {kDerivatives + "dataset_description.json", bids_description("derivative", language_)},
           {"participants.tsv", participants},
           {"participants.json", bids_participants_sidecar(language_)},
+          {".bidsignore", std::string(kExportList) + "\n" + kExportSignature + "\n"},
           {"README", bids_readme(language_)}})
       if (const auto done = write_below(folder_ / name, text); !done) return done;
     return {};

@@ -5,6 +5,7 @@
 #include <unordered_set>
 
 #include "core/staging_folder.hpp"
+#include "exports/export_list.hpp"
 
 namespace isograsp::exports {
 
@@ -57,6 +58,7 @@ Result<std::size_t> write_all(storage::SessionStore& store, const ExportRequest&
       });
   if (!visited) return visited.error();
   if (const auto done = writer->finish(); !done) return done.error();
+  if (const auto done = list_and_sign(staging, store.path()); !done) return done.error();
   if (!tell(progress, 1.0, {})) return cancelled();
   return written;
 }
@@ -74,6 +76,7 @@ Result<std::vector<std::string>> list_export(storage::SessionStore& store,
     return Result<void>();
   });
   if (!visited) return visited.error();
+  if (!files.empty()) files.insert(files.end(), {kExportList, kExportSignature});
   return files;
 }
 

@@ -15,8 +15,10 @@
 #include "app/db/db_commands.hpp"
 #include "app/db/verification.hpp"
 #include "app/login_options.hpp"
+#include "core/files.hpp"
 #include "storage/access/audit_log.hpp"
 #include "storage/access/open_store.hpp"
+#include "storage/access/signing.hpp"
 #include "storage/care/backups.hpp"
 #include "storage/care/merge.hpp"
 #include "storage/care/migration.hpp"
@@ -34,6 +36,8 @@ struct DbOptions {
   std::string to;
   std::string from;
   std::vector<std::string> same_patients;
+  bool by_signature = false;
+  std::string key;
   bool scheduled = false;
   bool protected_file = false;
   LoginOptions login;
@@ -61,7 +65,24 @@ Result<void> init(const DbOptions& options) {
   return {};
 }
 
+/// A backup by its signature alone: needs no login and opens nothing.
+Result<void> check_signed(const DbOptions& options) {
+  const auto proved =
+      storage::check_signature(options.file, storage::SignedKind::backup, options.key);
+  if (!proved) return proved.error();
+  Lines text = "%1: a backup, as it was signed on %2"_text(options.file, proved->made_utc);
+  text.add(words_of_key(proved->key, !options.key.empty()));
+  print_answer(options.json,
+               {{"file", options.file},
+                {"made_utc", proved->made_utc},
+                {"key", proved->key},
+                {"key_was_given", !options.key.empty()}},
+               text);
+  return {};
+}
+
 Result<void> check(const DbOptions& options) {
+  if (options.by_signature) return check_signed(options);
   const auto access = log_in(options.file, options.login);
   if (!access) return access.error();
   const auto store = read_store(options.file);
@@ -123,6 +144,17 @@ Result<void> verify(const DbOptions& options) {
       .at(options.file);
 }
 
+/// Of a backup that was made just now.
+void add_signature_of(const std::string& backup, Json& json, Lines& text) {
+  const auto signature = read_text(storage::signature_file_of(backup));
+  const auto read = signature ? storage::signature_in(*signature) : std::nullopt;
+  json["key"] = read ? read->key : "";
+  if (read)
+    text.add("signed with the key %1"_text(read->key));
+  else
+    text.add("not signed: no key could be made beside the database"_text);
+}
+
 Result<void> scheduled_backup(const DbOptions& options) {
   const auto made = storage::Backups(options.file).make_if_due(std::time(nullptr));
   if (!made) return made.error();
@@ -132,6 +164,7 @@ Result<void> scheduled_backup(const DbOptions& options) {
     json["backup"] = (*made)->backup.path;
     json["removed"] = (*made)->removed;
     text = "%1: copied from %2 and checked"_text((*made)->backup.path, options.file);
+    add_signature_of((*made)->backup.path, json, text);
     for (const auto& old : (*made)->removed) text.add("%1: removed"_text(old));
   }
   print_answer(options.json, json, text);
@@ -149,8 +182,10 @@ Result<void> backup(const DbOptions& options) {
   const auto store = read_store(options.file);
   if (!store) return store.error();
   if (const auto done = (*store)->backup(options.to); !done) return done.error();
-  print_answer(options.json, {{"file", options.file}, {"backup", options.to}},
-               "%1: copied from %2 and checked"_text(options.to, options.file));
+  Json json{{"file", options.file}, {"backup", options.to}};
+  Lines text = "%1: copied from %2 and checked"_text(options.to, options.file);
+  add_signature_of(options.to, json, text);
+  print_answer(options.json, json, text);
   return {};
 }
 
@@ -281,7 +316,13 @@ void add_db(CommandLine& line) {
   add("init", "Make an empty database", "init clinic.db", init)
       .flag("--protected", options->protected_file,
             "With a passphrase (--passphrase-file), accounts and encrypted identities");
-  add("check", "Is the file sound, every block readable", "check clinic.db", check);
+  Subcommand checked =
+      add("check", "Is the file sound, every block readable", "check clinic.db", check);
+  const Option by_signature =
+      checked.flag("--signed", options->by_signature,
+                   "Of a backup: is it what was signed (FILE.sig)? Needs no login");
+  checked.option("--key", options->key, "Public key that it must be signed with (64 digits)")
+      .needs(by_signature);
   add("verify", "Recompute every measure from the stored signals and compare", "verify clinic.db",
       verify)
       .option("--threads", options->threads, "How many; the result is the same")

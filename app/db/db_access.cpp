@@ -8,6 +8,7 @@
 #include "app/db/db_commands.hpp"
 #include "storage/access/accounts.hpp"
 #include "storage/access/audit_log.hpp"
+#include "storage/access/signing.hpp"
 #include "storage/records/session_store.hpp"
 
 namespace isograsp::app {
@@ -153,9 +154,13 @@ Result<void> audit(storage::Access& access, const AuditOptions& options) {
   if (!problems) return problems.error();
   const auto head = storage::audit_head(access);
   if (!head) return head.error();
+  const auto key = storage::public_key_of(options.common.file);
+  if (!key) return key.error();
   const std::string head_text = std::to_string(head->count) + ":" + head->hash;
-  Json json{
-      {"file", options.common.file}, {"head", head_text}, {"problems", english_list(*problems)}};
+  Json json{{"file", options.common.file},
+            {"head", head_text},
+            {"key", *key},
+            {"problems", english_list(*problems)}};
   Lines text;
   Json list = Json::array();
   for (const storage::AuditEntry& entry : *entries) {
@@ -176,6 +181,7 @@ Result<void> audit(storage::Access& access, const AuditOptions& options) {
   json["entries"] = list;
   for (const auto& problem : *problems) text.add(problem);
   text.add("head %1"_text(head_text));
+  if (!key->empty()) text.add("backups and exports are signed with the key %1"_text(*key));
   bool contained = true;
   if (!options.contains.empty()) {
     const auto noted = head_in(options.contains);

@@ -16,6 +16,7 @@
 #include "reports/findings/renewed.hpp"
 #include "reports/findings/task_section.hpp"
 #include "reports/findings/wording.hpp"
+#include "storage/access/signing.hpp"
 
 namespace isograsp::reports {
 
@@ -200,6 +201,7 @@ Result<ReportContent> gather_progress(storage::SessionStore& store, const std::s
   ReportContent content;
   content.code = code;
   content.software_version = ISOGRASP_VERSION;
+  if (const auto key = storage::public_key_of(store.path())) content.signing_key = *key;
   content.sessions = records->shown;
   if (const auto added = add_course(store, *records, content); !added) return added.error();
   content.sessions_stored = records->sessions_stored;

@@ -165,7 +165,8 @@ struct ReportContent {
   LimitsOfHand limits;
   std::vector<Compass> compasses;
   PracticeDose dose;
-  bool early = false;  ///< the last session is less than six months after the onset
+  bool early = false;       ///< the last session is less than six months after the onset
+  std::string signing_key;  ///< public key of the clinic; empty: it has not signed anything yet
 };
 
 }  // namespace isograsp::reports

@@ -278,6 +278,10 @@ std::vector<Panel> panels_below(const ReportContent& content, const Language& la
   const Speaker say(language);
   signature.heading = say("Signature"_text);
   signature.blanks = said(say, {"Therapist"_text, "Place and date"_text, "Signature"_text});
+  if (!content.signing_key.empty())
+    signature.notes.push_back(
+        say("Backups and exports of this clinic are signed with the key %1."_text(
+            content.signing_key)));
   return {signature, patient_page(content, language)};
 }
 

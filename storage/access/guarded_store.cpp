@@ -2,10 +2,13 @@
 #include "storage/access/guarded_store.hpp"
 
 #include <filesystem>
+#include <optional>
 
 #include <soci/soci.h>
 
+#include "core/files.hpp"
 #include "storage/access/audit_chain.hpp"
+#include "storage/access/clinic_key.hpp"
 #include "storage/access/proof.hpp"
 #include "storage/access/sealed_text.hpp"
 #include "storage/file/open_mode.hpp"
@@ -320,13 +323,31 @@ Result<std::vector<Text>> GuardedStore::check() {
 }
 
 Result<void> GuardedStore::backup(const std::string& to) {
-  const auto copied = behind().copy_if_sound(
-      to, [this](Database& copy) { return changes_by_others(copy, *state_); });
+  // One of before would stand beside a file that it is not of.
+  std::error_code ignored;
+  const std::string beside = signature_file_of(to);
+  if (!to.empty() && !std::filesystem::exists(std::filesystem::symlink_status(to, ignored)))
+    std::filesystem::remove(beside, ignored);
+  std::optional<FileSignature> signature;
+  auto copied = behind().copy_if_sound(to, [&](Database& copy) {
+    auto problems = changes_by_others(copy, *state_);
+    if (!problems || !problems->empty()) return problems;
+    // Of what was checked just now, before others can reach it under its name.
+    const auto seed = signing_seed(database(), *state_, true);
+    if (!seed) return problems;
+    auto made =
+        signature_of(*seed, copy.real_path(), SignedKind::backup, utc_text(std::time(nullptr)));
+    if (!made) return Result<std::vector<Text>>(made.error());
+    signature = *std::move(made);
+    return problems;
+  });
+  if (copied && signature) copied = write_text(beside, written(*signature));
   if (database().format() != kDatabaseFormat || !may_be_written(path())) return copied;
   // On a connection of its own: a store that only reads makes backups, too.
   auto log = Database::open(path(), OpenMode::existing);
   if (!log) return log.error();
-  AuditEntry entry = entry_of("backup", std::filesystem::path(to).filename());
+  AuditEntry entry = entry_of("backup", std::filesystem::path(to).filename(),
+                              signature ? "signed " + signature->key : "not signed");
   if (!copied) entry.result = "failed";
   const auto written = audited(*log, *state_, entry,
                                [&] { return log->transact("writing the audit log"_text, [] {}); });

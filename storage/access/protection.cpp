@@ -11,6 +11,7 @@
 #include "storage/access/open_store.hpp"
 #include "storage/access/proof.hpp"
 #include "storage/access/sealed_text.hpp"
+#include "storage/access/signing.hpp"
 #include "storage/access/user_rows.hpp"
 #include "storage/file/remains.hpp"
 #include "storage/file/sweep.hpp"
@@ -154,10 +155,13 @@ Result<Protection> protect_database(const std::string& database, const Secret& p
     if (!head) {
       std::error_code ignored;
       std::filesystem::remove(protection.copy, ignored);
+      std::filesystem::remove(signature_file_of(protection.copy), ignored);
       return head.error();
     }
     (void)set_aside_head_file(opened->real_path());  // of another database of this name
     note_head(*opened, *state, *head);
+    std::error_code ignored;
+    std::filesystem::remove(signing_key_file_of(opened->real_path()), ignored);  // of before
     if (const auto swept = sweep(*opened); !swept) protection.not_swept = swept.error();
   }
   auto access = opened_with(database, passphrase);

@@ -8,6 +8,7 @@
 
 #include "core/time.hpp"
 #include "storage/access/open_store.hpp"
+#include "storage/access/signing.hpp"
 #include "storage/records/session_store.hpp"
 
 namespace isograsp::storage {
@@ -117,6 +118,7 @@ Result<Backups::Made> Backups::make(std::time_t now) const {
       return failed("the new backup is made, but this old one cannot be removed"_text,
                     "check the permissions of the folder"_text)
           .at(path);
+    fs::remove(signature_file_of(path), failure);
     made.removed.push_back(path);
   }
   return made;

@@ -12,6 +12,7 @@
 #include "storage/access/audit_head_file.hpp"
 #include "storage/access/audit_log.hpp"
 #include "storage/access/open_store.hpp"
+#include "storage/access/signing.hpp"
 #include "storage/care/backups.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
 
@@ -69,6 +70,11 @@ class Renamings {
 /// Sound to the last value and with a whole audit log; the entry says where it came from.
 Result<void> prepare(const std::string& copy, const std::string& backup, const std::string& kept,
                      const LogIn& log_in) {
+  // Where a signature stands beside it, it must be of this file; whose key it is says db check.
+  std::error_code ignored;
+  if (fs::exists(fs::symlink_status(signature_file_of(backup), ignored)))
+    if (const auto proved = check_signature(backup, SignedKind::backup); !proved)
+      return proved.error();
   auto source = Database::open(backup, OpenMode::read_only);
   if (!source) return source.error();
   const bool current = source->format() == kDatabaseFormat;

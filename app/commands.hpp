@@ -37,6 +37,8 @@ void add_verify_export(CommandLine& line);
 
 /// Whose key a signature was made with, as far as that is known.
 [[nodiscard]] Text words_of_key(const std::string& key, bool was_given);
+/// What is wrong with `--key`; an empty one would be none.
+[[nodiscard]] std::string objection_to_key(const std::string& key);
 
 /// The demonstration clinic of simulated people, in a file of its own that replaces an older
 /// one; its path (app/demo.cpp).

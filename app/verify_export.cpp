@@ -7,6 +7,7 @@
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "exports/export_list.hpp"
+#include "storage/crypto/signature.hpp"
 
 namespace isograsp::app {
 
@@ -64,14 +65,22 @@ Text words_of_key(const std::string& key, bool was_given) {
       key);
 }
 
+std::string objection_to_key(const std::string& key) {
+  constexpr std::size_t kDigits = 64;
+  return storage::is_hex(key, kDigits)
+             ? ""
+             : "is no public key: give its 64 digits, as isograsp db audit prints them";
+}
+
 void add_verify_export(CommandLine& line) {
   auto options = std::make_shared<VerifyOptions>();
   Subcommand command =
       line.subcommand("verify-export", "Is a research export what the clinic has made?");
   command.option("FOLDER", options->folder, "Folder of the export").required();
-  command.option(
-      "--key", options->key,
-      "Public key of the clinic (64 digits), as on its reports and in isograsp db audit");
+  command
+      .option("--key", options->key,
+              "Public key of the clinic (64 digits), as on its reports and in isograsp db audit")
+      .check(objection_to_key);
   command.flag("--json", options->json, "Print one JSON document");
   command.footer("Example:\n  isograsp verify-export study --key KEY");
   command.runs([options] { return verify_export(*options); });

@@ -194,13 +194,15 @@ Result<void> restore(const DbOptions& options) {
       options.from, options.file,
       [&options](const std::string& copy) { return open_access(copy, options.login, true); });
   if (!done) return done.error();
-  Json json{{"file", options.file}, {"restored_from", options.from}};
+  Json json{{"file", options.file}, {"restored_from", options.from}, {"key", done->key}};
   Lines text = "%1: restored from %2 and checked"_text(options.file, options.from);
   if (!done->kept.empty()) {
     json["kept"] = done->kept;
     text = "%1: restored from %2 and checked; as it was: %3"_text(options.file, options.from,
                                                                   done->kept);
   }
+  text.add(done->key.empty() ? Text("the backup was not signed"_text)
+                             : "signed with the key %1"_text(done->key));
   text.add("Erase again who has been erased since that backup was made."_text);
   print_answer(options.json, json, text);
   return {};
@@ -322,6 +324,7 @@ void add_db(CommandLine& line) {
       checked.flag("--signed", options->by_signature,
                    "Of a backup: is it what was signed (FILE.sig)? Needs no login");
   checked.option("--key", options->key, "Public key that it must be signed with (64 digits)")
+      .check(objection_to_key)
       .needs(by_signature);
   add("verify", "Recompute every measure from the stored signals and compare", "verify clinic.db",
       verify)

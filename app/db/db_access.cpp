@@ -105,9 +105,8 @@ Result<void> passphrase(storage::Access& access, const AccountOptions& options) 
 Result<void> recovery_key(storage::Access& access, const AccountOptions& options) {
   const auto key = storage::new_recovery_key(access);
   if (!key) return key.error();
-  print_recovery_key(options.common.json, {},
-                     "the recovery key of before opens nothing any more"_text, *key);
-  return {};
+  return hand_over(access, options.common.json, {},
+                   "the recovery key of before opens nothing any more"_text, *key);
 }
 
 Result<void> policy(storage::Access& access, const AccountOptions& options) {

@@ -49,8 +49,11 @@ Subcommand add_access_command(Subcommand parent, const char* name, const char* d
 
 /// Makes a protected database and prints its recovery key, once (app/db/db_protect.cpp).
 [[nodiscard]] Result<void> init_protected(const AccessOptions& options);
-void print_recovery_key(bool as_json, nlohmann::ordered_json json, Lines text,
-                        const storage::Secret& key);
+/// Prints it, then lets it open the database: a program that is ended between leaves none that
+/// nobody has seen.
+[[nodiscard]] Result<void> hand_over(storage::Access& access, bool as_json,
+                                     nlohmann::ordered_json json, Lines text,
+                                     const storage::Secret& key);
 
 /// The texts in English, for --json.
 [[nodiscard]] nlohmann::ordered_json english_list(const std::vector<Text>& texts);

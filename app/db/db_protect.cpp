@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/db/db_commands.hpp"
+#include "storage/access/accounts.hpp"
 #include "storage/access/protection.hpp"
 #include "storage/file/open_mode.hpp"
 #include "storage/records/session_store.hpp"
@@ -37,7 +38,10 @@ Result<void> protect(const AccessOptions& options) {
     Lines text = "%1: protected; as it was, in plain text: %2"_text(options.file, done->copy);
     text.add("What still holds plain text, and is for you to lock away or remove:"_text);
     for (const auto& one : done->remains) text.add_row("  " + one);
-    print_recovery_key(options.json, json, text, done->recovery_key);
+    if (done->copy.empty())
+      text = "%1: is protected already, but had no recovery key"_text(options.file);
+    if (auto shown = hand_over(*done->access, options.json, json, text, done->recovery_key); !shown)
+      return shown;
   }
   if (done->not_swept) return *done->not_swept;
   return {};
@@ -50,19 +54,23 @@ Result<void> init_protected(const AccessOptions& options) {
   if (!passphrase) return passphrase.error();
   const auto made = storage::Access::create(options.file, *passphrase);
   if (!made) return made.error();
-  print_recovery_key(
-      options.json,
+  return hand_over(
+      *made->access, options.json,
       {{"file", options.file}, {"format", storage::kDatabaseFormat}, {"protected", true}},
       "%1: made, format %2, protected"_text(options.file, storage::kDatabaseFormat),
       made->recovery_key);
-  return {};
 }
 
-void print_recovery_key(bool as_json, Json json, Lines text, const storage::Secret& key) {
+Result<void> hand_over(storage::Access& access, bool as_json, Json json, Lines text,
+                       const storage::Secret& key) {
   json["recovery_key"] = std::string(key.text());
   text.add("recovery key: %1"_text(std::string(key.text())));
   text.add("Print it and lock it away: it is shown this once and opens everything."_text);
   print_answer(as_json, json, text);
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    return failed("the recovery key could not be shown, so there is none yet"_text,
+                  "make one: isograsp db recovery-key"_text);
+  return storage::accept_recovery_key(access, key);
 }
 
 void add_db_protect(Subcommand db) {

@@ -110,6 +110,9 @@ Result<void> open_for(Access::Parts& parts, SlotOwner owner, const Secret& passw
   const Login before = parts.login->login();
   parts.login->set({std::make_shared<const Keys>(*std::move(keys)), owner.user, false});
   parts.notices = notices_of_head(parts.database, *parts.login);
+  if (may(owner.user.role, Right::manage) && !has_recovery_key(parts))
+    parts.notices.push_back(
+        "there is no recovery key: if the passphrase is lost, so is what is sealed; make one with isograsp db recovery-key"_text);
   if (!parts.writable) return {};
   AuditEntry entry = entry_of("login", owner.user.name);
   auto logged = audited(parts.database, *parts.login, entry, [&] {
@@ -130,6 +133,15 @@ Result<void> open_for(Access::Parts& parts, SlotOwner owner, const Secret& passw
 }
 
 }  // namespace
+
+bool has_recovery_key(Access::Parts& parts) {
+  int count = 1;
+  static_cast<void>(parts.database.guard("logging in"_text, [&] {
+    parts.database.sql() << "SELECT count(*) FROM key_slots WHERE kind = 'recovery'",
+        soci::into(count);
+  }));
+  return count > 0;
+}
 
 bool is_lock_due(const AccessPolicy& policy, double idle_s, bool trial_runs) noexcept {
   return !trial_runs && idle_s >= policy.lock_after_s;
@@ -183,14 +195,12 @@ Result<Access::Protected> Access::create(const std::string& database, const Secr
   const auto staging = StagingFolder::beside(target);
   if (!staging) return staging.error();
   const std::string& part = staging->file();
-  Secret recovery_key = make_recovery_key();
   const auto made = [&]() -> Result<void> {
     auto file = Database::open(part, OpenMode::create);
     if (!file) return file.error();
     return file->transact("protecting the database"_text, [&] {
-      const Keys keys =
-          write_first_slots(file->sql(), login_state_of(*file)->database_id(), passphrase,
-                            recovery_key, cost != nullptr ? *cost : KeyCost{});
+      const Keys keys = write_first_slot(file->sql(), login_state_of(*file)->database_id(),
+                                         passphrase, cost != nullptr ? *cost : KeyCost{});
       file->seals()->key_from([&keys] { return &keys.audit; });
       file->seals()->seal_all();
     });
@@ -210,7 +220,7 @@ Result<Access::Protected> Access::create(const std::string& database, const Secr
   if (auto done = (*access)->log_in_with_passphrase(passphrase); !done) return done.error();
   if (auto logged = log_entry(**access, entry_of("create", target.filename())); !logged)
     return logged.error();
-  return Protected{*std::move(access), std::move(recovery_key)};
+  return Protected{*std::move(access), make_recovery_key()};
 }
 
 const std::string& Access::path() const noexcept {

@@ -73,7 +73,8 @@ class Access {
   [[nodiscard]] static Result<std::unique_ptr<Access>> open_to_migrate(const std::string& database);
   struct Protected {
     std::unique_ptr<Access> access;  ///< logged in as the clinic's passphrase
-    Secret recovery_key;             ///< to be printed once; kept nowhere
+    /// To be printed once; kept nowhere. Opens nothing before accept_recovery_key().
+    Secret recovery_key;
   };
   /// Makes a new protected database: there is a whole one or none. Refused: a file that exists, a
   /// passphrase of fewer than kLeastPassword characters.

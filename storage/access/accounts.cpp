@@ -190,15 +190,19 @@ Result<void> change_passphrase(Access& access, const Secret& passphrase, const K
 
 Result<Secret> new_recovery_key(Access& access) {
   if (const auto allowed = manage(access, "new recovery key", ""); !allowed) return allowed.error();
-  Secret key = make_recovery_key();
-  const auto done = audited(
+  return make_recovery_key();
+}
+
+Result<void> accept_recovery_key(Access& access, const Secret& key) {
+  if (auto allowed = manage(access, "new recovery key", ""); !allowed) return allowed;
+  if (!read_recovery_key(key))
+    return refused("is no recovery key"_text, "take the one that was made"_text)
+        .about("recovery key");
+  return audited(
       access, "storing a recovery key"_text, entry_of("new recovery key", ""), [&](AuditEntry&) {
-        write_slot(access.parts().database.sql(),
-                   holder_of(access.parts().login->database_id(), SlotKind::recovery),
-                   *read_recovery_key(key), kCheapKeyCost, *access.parts().login->login().keys);
+        write_recovery_slot(access.parts().database.sql(), access.parts().login->database_id(), key,
+                            *access.parts().login->login().keys);
       });
-  if (!done) return done.error();
-  return key;
 }
 
 Result<void> change_own_password(Access& access, const Secret& old_password, const Secret& password,

@@ -26,8 +26,12 @@ inline constexpr std::size_t kMostPin = 12;
 /// Wraps the same data key anew: nothing else is written. Backups keep the passphrase they had.
 [[nodiscard]] Result<void> change_passphrase(Access& access, const Secret& passphrase,
                                              const KeyCost& cost = {});
-/// The one before opens nothing any more.
+/// For a new recovery key: shown first, then accepted, so that at no moment there is one that
+/// nobody has seen. Opens nothing yet; that of before still does.
 [[nodiscard]] Result<Secret> new_recovery_key(Access& access);
+/// A key of new_recovery_key() or protect_database() that somebody has on paper now: from now on it
+/// opens the database, and the one before nothing any more.
+[[nodiscard]] Result<void> accept_recovery_key(Access& access, const Secret& key);
 
 // By the user who is logged in.
 [[nodiscard]] Result<void> change_own_password(Access& access, const Secret& old_password,

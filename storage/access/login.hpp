@@ -75,4 +75,7 @@ struct Access::Parts {
   std::vector<Text> notices;  ///< of the last login
 };
 
+/// A database that was protected by a program that was ended has none, until one was shown.
+[[nodiscard]] bool has_recovery_key(Access::Parts& parts);
+
 }  // namespace isograsp::storage

@@ -85,6 +85,7 @@ Result<Protection> sweep_again(const std::string& database, const Secret& passph
   auto access = opened_with(database, passphrase);
   if (!access) return access.error();
   Protection done{*std::move(access), {}, "", {}, {}};
+  if (!has_recovery_key(done.access->parts())) done.recovery_key = make_recovery_key();
   Database& opened = done.access->parts().database;
   const auto recording = nobody_records(opened);
   if (!recording) return recording.error();
@@ -94,14 +95,13 @@ Result<Protection> sweep_again(const std::string& database, const Secret& passph
 
 /// Keys, sealed texts and the entry, or nothing.
 Result<AuditHead> seal_all(Database& database, const std::shared_ptr<LoginState>& shared,
-                           const Secret& passphrase, const Secret& recovery_key,
-                           const KeyCost& cost) {
+                           const Secret& passphrase, const KeyCost& cost) {
   LoginState& state = *shared;
   AuditHead head;
   const auto done = database.transact("protecting the database"_text, [&] {
     soci::session& sql = database.sql();
     const std::string id = state.database_id();
-    Keys keys = write_first_slots(sql, id, passphrase, recovery_key, cost);
+    Keys keys = write_first_slot(sql, id, passphrase, cost);
     state.set({std::make_shared<const Keys>(std::move(keys)),
                holder_of(id, SlotKind::passphrase).user, false});
     seal_with_keys_of(shared, database);
@@ -149,9 +149,9 @@ Result<Protection> protect_database(const std::string& database, const Secret& p
         protection.remains = remains_of(opened->sql(), "", "", utc_text(std::time(nullptr)));
       });
     }();
-    const auto head = prepared ? seal_all(*opened, state, passphrase, protection.recovery_key,
-                                          cost != nullptr ? *cost : KeyCost{})
-                               : Result<AuditHead>(prepared.error());
+    const auto head =
+        prepared ? seal_all(*opened, state, passphrase, cost != nullptr ? *cost : KeyCost{})
+                 : Result<AuditHead>(prepared.error());
     if (!head) {
       std::error_code ignored;
       std::filesystem::remove(protection.copy, ignored);

@@ -13,8 +13,11 @@
 namespace isograsp::storage {
 
 struct Protection {
-  std::unique_ptr<Access> access;    ///< logged in as the clinic's passphrase
-  Secret recovery_key;               ///< to be printed once; kept nowhere. Empty: it was protected
+  std::unique_ptr<Access> access;  ///< logged in as the clinic's passphrase
+  /// To be printed once; kept nowhere. Opens nothing before accept_recovery_key(): who is ended
+  /// before has a database without one, which a login says, and protecting it again makes another.
+  /// Empty: it has one that was accepted.
+  Secret recovery_key;
   std::string copy;                  ///< checked copy of the file as it was, in plain text
   std::vector<std::string> remains;  ///< that copy and others that the audit log tells of
   /// Everything is sealed, but the file could not be rewritten, so it may still hold the bytes of

@@ -102,13 +102,17 @@ SlotOwner holder_of(const std::string& database_id, SlotKind kind) {
   return {database_id, kind, {0, name, Role::administrator, false, ""}};
 }
 
-Keys write_first_slots(soci::session& sql, const std::string& database_id, const Secret& passphrase,
-                       const Secret& recovery_key, const KeyCost& cost) {
+Keys write_first_slot(soci::session& sql, const std::string& database_id, const Secret& passphrase,
+                      const KeyCost& cost) {
   Keys keys = keys_from(Secret::random(kKeySize));
   write_slot(sql, holder_of(database_id, SlotKind::passphrase), passphrase, cost, keys);
+  return keys;
+}
+
+void write_recovery_slot(soci::session& sql, const std::string& database_id,
+                         const Secret& recovery_key, const Keys& keys) {
   write_slot(sql, holder_of(database_id, SlotKind::recovery), *read_recovery_key(recovery_key),
              kCheapKeyCost, keys);
-  return keys;
 }
 
 void write_slot(soci::session& sql, const SlotOwner& owner, const Secret& password,

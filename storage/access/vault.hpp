@@ -54,10 +54,11 @@ struct KeySlot {
 /// In place of the owner's slot, if there is one.
 void write_slot(soci::session& sql, const SlotOwner& owner, const Secret& password,
                 const KeyCost& cost, const Keys& keys);
-/// A new data key in the two slots that every protected database has; the keys that follow from it.
-[[nodiscard]] Keys write_first_slots(soci::session& sql, const std::string& database_id,
-                                     const Secret& passphrase, const Secret& recovery_key,
-                                     const KeyCost& cost);
+/// A new data key in the slot of the passphrase; the keys that follow from it.
+[[nodiscard]] Keys write_first_slot(soci::session& sql, const std::string& database_id,
+                                    const Secret& passphrase, const KeyCost& cost);
+void write_recovery_slot(soci::session& sql, const std::string& database_id,
+                         const Secret& recovery_key, const Keys& keys);
 [[nodiscard]] std::optional<KeySlot> read_slot(soci::session& sql, const SlotOwner& owner);
 
 /// Takes the time of Argon2id. Nothing: wrong password, or a changed slot.

@@ -68,6 +68,7 @@ using LogIn = std::function<Result<std::unique_ptr<Access>>(const std::string& d
 
 struct Restored {
   std::string kept;  ///< the file that was there, under its new name; empty: there was none
+  std::string key;   ///< public, that the backup was signed with; empty: it was not signed
 };
 /// A checked copy of `backup` becomes `database`, with this act as the last entry of its audit log;
 /// the backup itself is only read. A file that is there is kept as `FILE.before-restore` (or `-2`

@@ -67,14 +67,18 @@ class Renamings {
   std::vector<std::function<void()>> undo_;
 };
 
+/// Where a signature stands beside it, it must be of this file. Its key; empty: there is none.
+Result<std::string> key_of_signed(const std::string& backup) {
+  std::error_code ignored;
+  if (!fs::exists(fs::symlink_status(signature_file_of(backup), ignored))) return std::string();
+  const auto proved = check_signature(backup, SignedKind::backup);
+  if (!proved) return proved.error();
+  return proved->key;
+}
+
 /// Sound to the last value and with a whole audit log; the entry says where it came from.
 Result<void> prepare(const std::string& copy, const std::string& backup, const std::string& kept,
                      const LogIn& log_in) {
-  // Where a signature stands beside it, it must be of this file; whose key it is says db check.
-  std::error_code ignored;
-  if (fs::exists(fs::symlink_status(signature_file_of(backup), ignored)))
-    if (const auto proved = check_signature(backup, SignedKind::backup); !proved)
-      return proved.error();
   auto source = Database::open(backup, OpenMode::read_only);
   if (!source) return source.error();
   const bool current = source->format() == kDatabaseFormat;
@@ -169,6 +173,9 @@ Result<Restored> restore_backup(const std::string& backup, const std::string& da
   const std::string& copy = staging->file();
   Restored restored;
   if (fs::exists(fs::symlink_status(target))) restored.kept = free_name(target + ".before-restore");
+  const auto key = key_of_signed(backup);
+  if (!key) return key.error();
+  restored.key = *key;
   auto done = prepare(copy, backup, restored.kept, log_in);
   if (done) done = close_for_all(copy);
   if (done) done = put_in_place(copy, target, restored.kept);

@@ -65,6 +65,10 @@ Error explain(const std::string& path, const Text& doing, int code, const std::s
       return failed("%1: the file or its folder is not writable"_text(doing),
                     "check the permissions of both, or copy the file to a writable folder"_text)
           .at(path);
+    case SQLITE_NOMEM:
+      return failed("%1: there is not enough memory"_text(doing),
+                    "close other programs; everything confirmed before is stored"_text)
+          .at(path);
     case SQLITE_CONSTRAINT:
       return refused("%1: refused by the database (%2)"_text(doing, message),
                      "give values as docs/file_formats.md describes them"_text)

@@ -35,6 +35,7 @@ struct ProtectedCommands : testing::Test {
   std::string init(const std::vector<std::pair<std::string, storage::Role>>& people = {}) const {
     const storage::Secret passphrase("words of the clinic");
     const auto made = test::must(storage::Access::create(db, passphrase, &storage::kCheapKeyCost));
+    test::must(accept_recovery_key(*made.access, made.recovery_key));
     for (const auto& [name, role] : people) {
       const storage::Secret password(name == "Ada" ? "ada's long password"
                                                    : "rita's long password");
@@ -85,9 +86,10 @@ TEST_F(ProtectedCommands, EveryCommandAsksForTheLogin) {
     if (entry.at("act") != "login")
       acts +=
           entry.at("act").get<std::string>() + " " + entry.at("object").get<std::string>() + ";";
-  EXPECT_EQ(acts,
-            "create clinic.db;add patient T-01;begin session T-01;end session T-01;"
-            "backup b.db;export ;report T-01;report ;");
+  EXPECT_EQ(
+      acts,
+      "create clinic.db;new recovery key ;add patient T-01;begin session T-01;end session T-01;"
+      "backup b.db;export ;report T-01;report ;");
   must_do("db audit " + db + clinic + " --contains " + log.at("head").get<std::string>());
   const auto other = isograsp("db audit " + db + clinic + " --contains 3:" + std::string(64, 'a'));
   EXPECT_EQ(other.status, 1);

@@ -48,6 +48,7 @@ TEST_F(Signed, ABackupIsProvedWithTheKeyOfTheLogAndSaysWhoseKeyItWas) {
   EXPECT_NE(given.out.find("the key that was given"), std::string::npos);
   EXPECT_EQ(isograsp(check + " --key " + kOther).status, 1);
   EXPECT_EQ(isograsp(check + " --key 12").status, 2);
+  EXPECT_EQ(isograsp(check + " --key ''").status, 2) << "as a variable that is not set";
   EXPECT_EQ(isograsp("db check " + at("monday.db") + " --key " + key()).status, 2);
 }
 
@@ -61,6 +62,15 @@ TEST_F(Signed, ABackupThatWasAlteredAndOneThatIsNotSignedAreTold) {
   const auto none = isograsp("db check --signed " + at("clinic.db"));
   EXPECT_EQ(none.status, 1);
   EXPECT_NE(none.err.find("is not signed"), std::string::npos) << none.err;
+}
+
+TEST_F(Signed, ABackupThatIsPutBackIsSaidToBeSignedOrNot) {
+  const auto restore = [&](const std::string& name) {
+    return isograsp("db restore " + at("back.db") + " --from " + at(name)).out;
+  };
+  EXPECT_NE(restore("monday.db").find("signed with the key " + key()), std::string::npos);
+  std::filesystem::copy_file(at("monday.db"), at("bare.db"));
+  EXPECT_NE(restore("bare.db").find("the backup was not signed"), std::string::npos);
 }
 
 TEST_F(Signed, AnExportIsProvedAndTheFileThatWasAlteredIsNamed) {

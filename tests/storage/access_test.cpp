@@ -217,6 +217,7 @@ TEST_F(ProtectedClinic, ANewPassphraseWrapsTheSameKeys) {
   must(set_identity(*access, "P-1", kPerson));
   must(change_passphrase(*access, secret("another passphrase"), kCheapKeyCost));
   const Secret new_key = must(new_recovery_key(*access));
+  must(accept_recovery_key(*access, new_key));
   restart();
   EXPECT_NE(refusal(access->log_in_with_passphrase(secret("the clinic's passphrase"))), "");
   EXPECT_NE(refusal(access->log_in_with_recovery_key(recovery_key)), "");

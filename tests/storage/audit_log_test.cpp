@@ -79,6 +79,7 @@ TEST_F(Audit, TellsWhoDidWhatToWhatWithWhichResult) {
   const auto acts = acts_of(*access);
   const std::vector<std::string> expected{"login clinic passphrase done by clinic passphrase",
                                           "create clinic.db done by clinic passphrase",
+                                          "new recovery key  done by clinic passphrase",
                                           "add user Ada done by clinic passphrase",
                                           "add user Theo done by clinic passphrase",
                                           "add user Rita done by clinic passphrase",

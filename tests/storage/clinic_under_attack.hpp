@@ -43,8 +43,7 @@ struct ClinicUnderAttack : testing::TestWithParam<bool> {
   std::unique_ptr<Access> access;
 
   ClinicUnderAttack() {
-    if (GetParam())
-      access = must(Access::create(path, secret("the clinic's passphrase"), &kCheapKeyCost)).access;
+    if (GetParam()) access = make_protected(path).access;
     record(path);
   }
   /// By somebody without a password, while nobody works.

@@ -6,9 +6,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <stdexcept>
 
-#include <sqlite3.h>
+#include "tests/storage/passing_vfs.hpp"
 
 namespace isograsp::storage {
 
@@ -39,35 +38,37 @@ struct PowerCutVfs::File {
 };
 
 struct PowerCutVfs::Layer {
-  sqlite3_vfs vfs{};
-  sqlite3_vfs* real = nullptr;
-  PowerCutVfs* owner = nullptr;
+  PassingVfs passing;
 
-  /// An open file: ours, with the usual layer's behind it.
-  struct Handle {
-    sqlite3_file base;
-    PowerCutVfs* owner;
-    File* file;  ///< nullptr: not of the folder
-    sqlite3_file* real() { return reinterpret_cast<sqlite3_file*>(this + 1); }
-  };
-  static Handle& handle(sqlite3_file* file) { return *reinterpret_cast<Handle*>(file); }
-  static sqlite3_file* real_of(sqlite3_file* file) { return handle(file).real(); }
-  static Layer& layer(sqlite3_vfs* vfs) { return *static_cast<Layer*>(vfs->pAppData); }
+  explicit Layer(PowerCutVfs* owner) : passing("power_cut", owner) {
+    passing.vfs.xOpen = open;
+    passing.vfs.xDelete = remove;
+    passing.begin();
+  }
+  Layer(const Layer&) = delete;
+  Layer& operator=(const Layer&) = delete;
+  ~Layer() { passing.end(); }
+
+  static PowerCutVfs& owner_of(sqlite3_vfs* vfs) {
+    return *static_cast<PowerCutVfs*>(layer_of(vfs).owner);
+  }
+  static PowerCutVfs& owner_of(sqlite3_file* file) {
+    return *static_cast<PowerCutVfs*>(storage::passing(file).owner);
+  }
+  /// nullptr: not of the folder
+  static File* file_of(sqlite3_file* file) {
+    return static_cast<File*>(storage::passing(file).own);
+  }
 
   static int open(sqlite3_vfs* vfs, const char* name, sqlite3_file* file, int flags, int* out) {
-    Layer& self = layer(vfs);
-    Handle& one = handle(file);
-    one.base.pMethods = nullptr;
-    one.owner = self.owner;
-    one.file = nullptr;
-    const int done = self.real->xOpen(self.real, name, one.real(), flags, out);
-    if (done != SQLITE_OK) return done;
-    one.base.pMethods = &methods();
-    if (name == nullptr || std::filesystem::path(name).parent_path() != self.owner->folder_)
+    PowerCutVfs& owner = owner_of(vfs);
+    const int done = open_passing(vfs, name, file, flags, out, methods());
+    if (done != SQLITE_OK || name == nullptr ||
+        std::filesystem::path(name).parent_path() != owner.folder_)
       return done;
     const auto [known, is_new] =
-        self.owner->files_.try_emplace(std::filesystem::path(name).filename().string());
-    one.file = &known->second;
+        owner.files_.try_emplace(std::filesystem::path(name).filename().string());
+    storage::passing(file).own = &known->second;
     if (!is_new && !known->second.removed) return done;
     std::ifstream in(name, std::ios::binary);
     File& fresh = known->second = {};
@@ -77,89 +78,58 @@ struct PowerCutVfs::Layer {
   }
 
   static int remove(sqlite3_vfs* vfs, const char* name, int sync_folder) {
-    Layer& self = layer(vfs);
-    const int done = self.real->xDelete(self.real, name, sync_folder);
+    PowerCutVfs& owner = owner_of(vfs);
+    auto* const real = layer_of(vfs).real;
+    const int done = real->xDelete(real, name, sync_folder);
     const std::filesystem::path path(name);
-    const auto known = self.owner->files_.find(path.filename().string());
-    if (done == SQLITE_OK && known != self.owner->files_.end() &&
-        path.parent_path() == self.owner->folder_) {
+    const auto known = owner.files_.find(path.filename().string());
+    if (done == SQLITE_OK && known != owner.files_.end() && path.parent_path() == owner.folder_) {
       known->second.removed = true;
       if (sync_folder != 0) known->second.name_durable = false;
-      self.owner->tick();
+      owner.tick();
     }
     return done;
   }
 
   static int write(sqlite3_file* file, const void* bytes, int count, sqlite3_int64 offset) {
-    Handle& one = handle(file);
-    if (one.file != nullptr && one.owner->writes_left_ == 0) return SQLITE_FULL;
-    if (one.file != nullptr && one.owner->writes_left_ > 0) --one.owner->writes_left_;
-    const int done = one.real()->pMethods->xWrite(one.real(), bytes, count, offset);
-    if (done == SQLITE_OK && one.file != nullptr) {
-      one.file->write(static_cast<const char*>(bytes), static_cast<std::size_t>(count),
-                      static_cast<std::size_t>(offset));
-      one.owner->tick();
+    File* const ours = file_of(file);
+    if (ours != nullptr && owner_of(file).writes_left_ == 0) return SQLITE_FULL;
+    if (ours != nullptr && owner_of(file).writes_left_ > 0) --owner_of(file).writes_left_;
+    const int done = real_of(file)->pMethods->xWrite(real_of(file), bytes, count, offset);
+    if (done == SQLITE_OK && ours != nullptr) {
+      ours->write(static_cast<const char*>(bytes), static_cast<std::size_t>(count),
+                  static_cast<std::size_t>(offset));
+      owner_of(file).tick();
     }
     return done;
   }
 
   static int truncate(sqlite3_file* file, sqlite3_int64 size) {
-    Handle& one = handle(file);
-    const int done = one.real()->pMethods->xTruncate(one.real(), size);
-    if (done == SQLITE_OK && one.file != nullptr)
-      one.file->now.resize(static_cast<std::size_t>(size), '\0');
+    File* const ours = file_of(file);
+    const int done = real_of(file)->pMethods->xTruncate(real_of(file), size);
+    if (done == SQLITE_OK && ours != nullptr)
+      ours->now.resize(static_cast<std::size_t>(size), '\0');
     return done;
   }
 
   static int sync(sqlite3_file* file, int flags) {
-    Handle& one = handle(file);
-    if (one.file != nullptr) one.owner->tick();  // just before
-    const int done = one.real()->pMethods->xSync(one.real(), flags);
-    if (done == SQLITE_OK && one.file != nullptr) {
-      one.file->sync();
-      one.owner->tick();
+    File* const ours = file_of(file);
+    if (ours != nullptr) owner_of(file).tick();  // just before
+    const int done = real_of(file)->pMethods->xSync(real_of(file), flags);
+    if (done == SQLITE_OK && ours != nullptr) {
+      ours->sync();
+      owner_of(file).tick();
     }
     return done;
   }
 
   static const sqlite3_io_methods& methods() {
     static const sqlite3_io_methods table = [] {
-      sqlite3_io_methods m{};
-      m.iVersion = 2;  // with shared memory, without memory mapping
-      m.xClose = [](sqlite3_file* f) { return real_of(f)->pMethods->xClose(real_of(f)); };
-      m.xRead = [](sqlite3_file* f, void* to, int count, sqlite3_int64 offset) {
-        return real_of(f)->pMethods->xRead(real_of(f), to, count, offset);
-      };
+      sqlite3_io_methods m = passing_methods();
       m.xWrite = write;
       m.xTruncate = truncate;
       m.xSync = sync;
-      m.xFileSize = [](sqlite3_file* f, sqlite3_int64* size) {
-        return real_of(f)->pMethods->xFileSize(real_of(f), size);
-      };
-      m.xLock = [](sqlite3_file* f, int l) { return real_of(f)->pMethods->xLock(real_of(f), l); };
-      m.xUnlock = [](sqlite3_file* f, int l) {
-        return real_of(f)->pMethods->xUnlock(real_of(f), l);
-      };
-      m.xCheckReservedLock = [](sqlite3_file* f, int* out) {
-        return real_of(f)->pMethods->xCheckReservedLock(real_of(f), out);
-      };
-      m.xFileControl = [](sqlite3_file* f, int op, void* argument) {
-        return real_of(f)->pMethods->xFileControl(real_of(f), op, argument);
-      };
       m.xSectorSize = [](sqlite3_file*) { return static_cast<int>(kSector); };
-      m.xDeviceCharacteristics = [](sqlite3_file* f) {
-        return real_of(f)->pMethods->xDeviceCharacteristics(real_of(f));
-      };
-      m.xShmMap = [](sqlite3_file* f, int page, int size, int extend, void volatile** to) {
-        return real_of(f)->pMethods->xShmMap(real_of(f), page, size, extend, to);
-      };
-      m.xShmLock = [](sqlite3_file* f, int offset, int n, int flags) {
-        return real_of(f)->pMethods->xShmLock(real_of(f), offset, n, flags);
-      };
-      m.xShmBarrier = [](sqlite3_file* f) { real_of(f)->pMethods->xShmBarrier(real_of(f)); };
-      m.xShmUnmap = [](sqlite3_file* f, int remove) {
-        return real_of(f)->pMethods->xShmUnmap(real_of(f), remove);
-      };
       return m;
     }();
     return table;
@@ -167,32 +137,9 @@ struct PowerCutVfs::Layer {
 };
 
 PowerCutVfs::PowerCutVfs(std::string folder, unsigned seed)
-    : folder_(std::move(folder)), random_(seed), layer_(std::make_unique<Layer>()) {
-  sqlite3_initialize();
-  layer_->real = sqlite3_vfs_find(nullptr);
-  layer_->owner = this;
-  layer_->vfs = *layer_->real;  // the functions that need no file of ours
-  layer_->vfs.szOsFile = static_cast<int>(sizeof(Layer::Handle)) + layer_->real->szOsFile;
-  layer_->vfs.zName = "power_cut";
-  layer_->vfs.pAppData = layer_.get();
-  layer_->vfs.xOpen = Layer::open;
-  layer_->vfs.xDelete = Layer::remove;
-  layer_->vfs.xAccess = [](sqlite3_vfs* vfs, const char* name, int flags, int* out) {
-    auto* const real = Layer::layer(vfs).real;
-    return real->xAccess(real, name, flags, out);
-  };
-  layer_->vfs.xFullPathname = [](sqlite3_vfs* vfs, const char* name, int size, char* out) {
-    auto* const real = Layer::layer(vfs).real;
-    return real->xFullPathname(real, name, size, out);
-  };
-  if (sqlite3_vfs_register(&layer_->vfs, 1) != SQLITE_OK)
-    throw std::runtime_error("the layer cannot be registered");
-}
+    : folder_(std::move(folder)), random_(seed), layer_(std::make_unique<Layer>(this)) {}
 
-PowerCutVfs::~PowerCutVfs() {
-  sqlite3_vfs_unregister(&layer_->vfs);
-  sqlite3_vfs_register(layer_->real, 1);
-}
+PowerCutVfs::~PowerCutVfs() = default;
 
 void PowerCutVfs::confirm(std::size_t counter, int value) {
   if (confirmed_.size() <= counter) confirmed_.resize(counter + 1, 0);

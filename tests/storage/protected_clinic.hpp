@@ -12,6 +12,13 @@ inline Secret secret(const char* text) {
   return Secret{std::string_view(text)};
 }
 
+/// Somebody has the recovery key on paper.
+inline Access::Protected make_protected(const std::string& path) {
+  auto made = must(Access::create(path, secret("the clinic's passphrase"), &kCheapKeyCost));
+  must(accept_recovery_key(*made.access, made.recovery_key));
+  return made;
+}
+
 struct ProtectedClinic : testing::Test {
   TemporaryFolder folder;
   std::string path = folder.file("clinic.db");
@@ -20,7 +27,7 @@ struct ProtectedClinic : testing::Test {
   std::unique_ptr<Access> access;
 
   ProtectedClinic() {
-    auto made = must(Access::create(path, secret("the clinic's passphrase"), &kCheapKeyCost));
+    auto made = make_protected(path);
     recovery_key = std::move(made.recovery_key);
     access = std::move(made.access);
     must(add_user(*access, "Ada", Role::administrator, secret("ada's password"), kCheapKeyCost));

@@ -89,6 +89,7 @@ TEST_F(PlainClinic, ProtectedLaterHoldsNoByteOfItsPlainTextAndLosesNone) {
 
 TEST_F(PlainClinic, ProtectedLaterOpensForItsPassphraseAndRecoveryKeyOnly) {
   auto done = must(protect());
+  must(accept_recovery_key(*done.access, done.recovery_key));
   done.access.reset();
   EXPECT_FALSE(open_store(path, OpenMode::read_only).ok());
   const auto access = must(Access::open(path));
@@ -156,6 +157,7 @@ TEST_F(PlainClinic, IsNotProtectedWhileAnotherProgramHasItOpen) {
 
 TEST_F(PlainClinic, ProtectedTwiceIsOnlyRewritten) {
   const auto first = must(protect());
+  must(accept_recovery_key(*first.access, first.recovery_key));
   EXPECT_NE(refusal(protect("another passphrase")), "");
   const auto again = must(protect());
   EXPECT_TRUE(again.recovery_key.empty());

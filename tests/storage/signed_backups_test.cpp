@@ -138,6 +138,13 @@ TEST_P(SignedBackup, OfAnExportIsNoneOfABackup) {
   EXPECT_NE(why_not().find("something else"), std::string::npos);
 }
 
+TEST_P(SignedBackup, OfAnotherSizeIsNotReadToTheEnd) {
+  constexpr std::uintmax_t kTooLargeToRead_bytes = std::uintmax_t{1}
+                                                   << 40;  // without a block of it
+  fs::resize_file(backup, kTooLargeToRead_bytes);
+  EXPECT_NE(why_not().find("not what was signed"), std::string::npos);
+}
+
 TEST_P(SignedBackup, ThatWasAlteredIsNotPutBack) {
   // With seals computed anew, as somebody can in a database without protection.
   access.reset();
@@ -171,6 +178,44 @@ TEST_P(SignedBackup, DailyOnesAreSignedAndTheirSignaturesGoWithThem) {
   ASSERT_EQ(left.size(), 1u);
   EXPECT_EQ(must(check_signature(left[0].path, SignedKind::backup, key)).key, key);
   EXPECT_EQ(std::distance(fs::directory_iterator(daily.folder()), {}), 2);
+}
+
+TEST(Signing, IsThatOfTheStandard) {
+  // RFC 8032, 7.1, test 1: the public key of this seed.
+  Secret seed(kKeySize);
+  const std::string digits = "9d61b19deffd5a60ba844af492ec2cc44449c5697b326919703bac031cae7f60";
+  for (std::size_t i = 0; i < seed.size(); ++i)
+    seed.data()[i] = static_cast<unsigned char>(std::stoi(digits.substr(2 * i, 2), nullptr, 16));
+  const FileSignature made =
+      signed_with(seed, {SignedKind::backup, 1, std::string(64, 'a'), "", "", ""});
+  EXPECT_EQ(made.key, "d75a980182b10ab7d54bfed3c964073a0ee172f3daa62325af021a68f707511a");
+  EXPECT_TRUE(is_genuine(made));
+  // Over the lines as docs/file_formats.md has them, by another program (OpenSSL 3).
+  EXPECT_EQ(made.signature,
+            "7da65a0abdd6c738518ef8fce4287dad26b3a88ef1699cc3872ef3302d97fe5d"
+            "38a14025c1944c0f8d8a2de0120b64bef9f31e9d7b4ef863d45fbe53645d0808");
+}
+
+TEST(Signing, TheKeyStaysWithANewPassphraseAndABackupThatIsPutBack) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("clinic.db");
+  auto made = must(Access::create(path, secret("the clinic's passphrase"), &kCheapKeyCost));
+  const std::string key = must(public_key_of(path));
+  const std::string backup = folder.file("monday.db");
+  must(opened(path, OpenMode::read_only)->backup(backup));
+  must(change_passphrase(*made.access, secret("another passphrase"), kCheapKeyCost));
+  EXPECT_EQ(must(public_key_of(path)), key);
+  const std::string back = folder.file("back.db");
+  const auto restored = must(restore_backup(backup, back, [](const std::string& copy) {
+    auto in = Access::open(copy);
+    if (in) must((*in)->log_in_with_passphrase(secret("the clinic's passphrase")));
+    return in;
+  }));
+  EXPECT_EQ(restored.key, key);
+  const auto access = must(Access::open(back));
+  must(access->log_in_with_passphrase(secret("the clinic's passphrase")));
+  EXPECT_EQ(must(public_key_of(back)), key);
+  EXPECT_EQ(refusal(check_signature(backup, SignedKind::backup, key)), "") << "it is only read";
 }
 
 TEST(Signing, ACopyOfAnUnprotectedDatabaseHasNotItsKey) {

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One bit of the whole file is another one: it is named, or nothing that can be read has changed.
+#include <cstdlib>
+#include <fstream>
+#include <random>
+#include <set>
+
+#include "storage/person/identity.hpp"
+#include "tests/storage/clinic_under_attack.hpp"
+
+namespace isograsp::storage::bit_flips_test {
+namespace {
+
+/// What has no seal by design (docs/file_formats.md, "Hash of a row").
+const std::set<std::string> kWithoutSeal{"users.pin_failed_count", "key_slots.failed_count",
+                                         "key_slots.retry_at_unix_s"};
+
+std::vector<std::string> lines_of(soci::session& sql, const std::string& query) {
+  std::vector<std::string> lines;
+  std::string line;
+  soci::statement select = (sql.prepare << query, soci::into(line));
+  select.execute();
+  while (select.fetch()) lines.push_back(line);
+  return lines;
+}
+
+/// Every row of every table, and the schema.
+std::string content_of(const std::string& path) {
+  soci::session sql(soci::sqlite3, "db=\"" + path + "\" readonly=true");
+  std::string all;
+  for (const auto& line :
+       lines_of(sql, "SELECT name || coalesce(sql, '') FROM sqlite_schema ORDER BY name"))
+    all += line + "\n";
+  for (const auto& table :
+       lines_of(sql, "SELECT name FROM sqlite_schema WHERE type = 'table' ORDER BY name")) {
+    std::string row;
+    for (const auto& column :
+         lines_of(sql, "SELECT name FROM pragma_table_info('" + table + "') ORDER BY cid"))
+      if (!kWithoutSeal.contains(table + "." + column))
+        row += (row.empty() ? "quote(" : " || ',' || quote(") + column + ")";
+    all += table + "\n";
+    for (const auto& line :
+         lines_of(sql, "SELECT " + row + " AS line FROM " + table + " ORDER BY 1"))
+      all += line + "\n";
+  }
+  return all;
+}
+
+struct BitFlips : ClinicUnderAttack {
+  /// So that much of the file is signals, as in a clinic's.
+  void record_a_minute() const {
+    constexpr int kSeconds = 60;
+    const auto store = opened(path);
+    SessionRecord session = example_session(1);
+    session.id = must(store->begin_session(session, {}));
+    TrialRecord trial = example_trial(session.id);
+    trial.id = must(store->begin_trial(trial));
+    for (int second = 0; second < kSeconds; ++second)
+      must(store->append_blocks(trial.id, second,
+                                example_rows(trial, 100, static_cast<unsigned>(second))));
+    trial.status = TrialStatus::completed;
+    must(store->end_trial(trial, {}));
+    must(store->end_session(session.id));
+  }
+};
+INSTANTIATE_TEST_SUITE_P(, BitFlips, testing::Bool(),
+                         [](const auto& one) { return one.param ? "Protected" : "Unprotected"; });
+
+TEST_P(BitFlips, NoneOfThemChangesWithoutAWordWhatIsRead) {
+  // scripts/test --long sets it.
+  const int flips = std::getenv("ISOGRASP_LONG") != nullptr ? 10000 : 150;
+  if (GetParam()) must(set_identity(*access, "P-1", {"Vera", "", ""}));
+  record_a_minute();
+  const std::string backup = folder.file("backup.db");  // one file, without a log
+  must(opened(path, OpenMode::read_only)->backup(backup));
+  const std::string good = bytes_of(backup);
+  const std::string content = content_of(backup);
+  const std::string copy = folder.file("flipped.db");
+  std::mt19937_64 random(20261128);
+  int named = 0;
+  for (int flip = 0; flip < flips; ++flip) {
+    const std::size_t bit = random() % (8 * good.size());
+    std::string bad = good;
+    bad[bit / 8] = static_cast<char>(bad[bit / 8] ^ (1 << (bit % 8)));
+    for (const char* beside : {"", "-wal", "-shm", "-journal"})
+      std::filesystem::remove(copy + beside);
+    std::ofstream(copy, std::ios::binary) << bad;
+    const auto store = open_store(copy, OpenMode::read_only);
+    const auto problems = store ? (*store)->check() : Result<std::vector<Text>>(store.error());
+    if (!problems || !problems->empty()) {
+      ++named;
+    } else {
+      EXPECT_EQ(content_of(copy), content) << "silent: byte " << bit / 8 << ", bit " << bit % 8;
+    }
+  }
+  RecordProperty("named", named);
+  // The others are where nothing is kept: most tables have a page of their own with few rows.
+  EXPECT_GT(named, flips / 5);
+}
+
+}  // namespace
+}  // namespace isograsp::storage::bit_flips_test

@@ -72,6 +72,7 @@ TherapistWindow::TherapistWindow(Clinic& clinic, PersonFile& file, SessionPresen
   connect(&staff_, &Staff::changed, this, &TherapistWindow::show_who_is_in);
   connect(&staff_, &Staff::locking, person_, &ProfilePanel::store_now);
   connect(&staff_, &Staff::refused, this, &TherapistWindow::say);
+  connect(&staff_, &Staff::noticed, this, &TherapistWindow::say);
   show_who_is_in();
 }
 
@@ -223,7 +224,7 @@ void TherapistWindow::make_pages() {
   reports_ = new ReportsPage(clinic_, presenter_);
   add_page(Page::reports, tr("Reports"), reports_);
   add_page(Page::library, tr("Library"), new LibraryPage(clinic_, presenter_));
-  add_page(Page::settings, tr("Settings"), new SettingsPage(settings_));
+  add_page(Page::settings, tr("Settings"), new SettingsPage(settings_, staff_));
   connect(start_, &StartPage::begin_session, this, [this] { show_page(Page::session); });
   connect(start_, &StartPage::open_patient, this, [this] { show_page(Page::patient); });
   connect(start_, &StartPage::demonstration_wanted, this, [this] {

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QEvent>
 #include <QPointer>
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -21,6 +22,7 @@ struct Staff::Answer {
   std::vector<storage::User> users;
   storage::AccessPolicy policy;
   std::optional<Error> error;
+  std::vector<Text> notices;
   bool in = false;
   std::string user;
 };
@@ -34,6 +36,7 @@ void look_around(Answer& answer) {
   if (auto policy = answer.access->policy()) answer.policy = *policy;
   answer.in = answer.access->allows(storage::Right::read_records);
   if (const auto user = answer.access->user()) answer.user = user->name;
+  answer.notices = answer.access->notices();
 }
 
 /// Of the one who is in; into a database that nobody logs into there is a door for every act.
@@ -145,8 +148,14 @@ void Staff::take(const Answer& answer) {
   user_ = answer.user;
   if (in_) locked_ = false;
   touched_ = clock_->now();
+  QString news;
+  for (const Text& notice : answer.notices)
+    if (std::find(notices_.begin(), notices_.end(), notice) == notices_.end())
+      news += (news.isEmpty() ? "" : "\n") + translated(notice);
+  notices_ = answer.notices;
   Q_EMIT changed();
   if (in_ && !std::exchange(opened_, true)) Q_EMIT opened();
+  if (in_ && !news.isEmpty()) Q_EMIT noticed(news);
 }
 
 void Staff::lock() {

@@ -43,6 +43,8 @@ class Staff final : public QObject {
   /// Who is in; empty: nobody, or not protected.
   [[nodiscard]] const std::string& user() const noexcept { return user_; }
   [[nodiscard]] bool allows(storage::Right right) const;
+  /// What the last login with a password found strange though it opened (Access::notices()).
+  [[nodiscard]] const std::vector<Text>& notices() const noexcept { return notices_; }
   /// Null: not protected.
   [[nodiscard]] std::shared_ptr<storage::Access> access() const noexcept { return access_; }
 
@@ -84,6 +86,7 @@ class Staff final : public QObject {
   void changed();  ///< closed(), locked(), user(), busy(), users()
   void refused(const QString& why);
   void login_refused(const QString& why);
+  void noticed(const QString& what);  ///< at a login: notices(), those that were not said before
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -102,6 +105,7 @@ class Staff final : public QObject {
   bool opened_ = false;
   std::string user_;
   std::vector<storage::User> users_;
+  std::vector<Text> notices_;
   std::map<std::string, std::string> names_;  ///< by code
   storage::AccessPolicy policy_;
   std::function<bool()> trial_runs_;

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "gui/look/look.hpp"
+#include "gui/office_pages/records_card.hpp"
 
 namespace isograsp::gui {
 
@@ -54,7 +55,7 @@ void add_row(QFormLayout& form, const QString& words, QWidget* field) {
 
 }  // namespace
 
-SettingsPage::SettingsPage(SettingsFile& settings, QWidget* parent)
+SettingsPage::SettingsPage(SettingsFile& settings, const Staff& staff, QWidget* parent)
     : QWidget(parent), settings_(settings) {
   const bool wide = side_by_side() == QBoxLayout::LeftToRight;
   auto* columns = new QBoxLayout(side_by_side(), this);
@@ -70,7 +71,7 @@ SettingsPage::SettingsPage(SettingsFile& settings, QWidget* parent)
   auto* window = make_window_card();
   auto* screen = make_screen_card();
   add_column({window, make_sound_card()});
-  add_column({screen});
+  add_column({screen, new RecordsCard(staff)});
   if (!wide) columns->addStretch(1);
   connect(&settings_, &SettingsFile::changed, this, &SettingsPage::refresh);
   connect(qApp, &QGuiApplication::screenAdded, this, &SettingsPage::fill_screens);

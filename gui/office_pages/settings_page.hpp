@@ -13,6 +13,7 @@
 #include <functional>
 
 #include "gui/clinic/settings.hpp"
+#include "gui/clinic/staff.hpp"
 #include "gui/look/card.hpp"
 #include "gui/look/choice_box.hpp"
 #include "gui/patient_screen/speaker.hpp"
@@ -23,7 +24,7 @@ class SettingsPage final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit SettingsPage(SettingsFile& settings, QWidget* parent = nullptr);
+  SettingsPage(SettingsFile& settings, const Staff& staff, QWidget* parent = nullptr);
 
  private:
   [[nodiscard]] QWidget* make_window_card();

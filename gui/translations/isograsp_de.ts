@@ -6357,6 +6357,33 @@ Neu verbunden: %7</translation>
     </message>
 </context>
 <context>
+    <name>isograsp::gui::RecordsCard</name>
+    <message>
+        <source>The records</source>
+        <translation>Die Datenbank</translation>
+    </message>
+    <message>
+        <source>Names, notes and goals are sealed. What somebody without a password changes is found at the login or by isograsp db check.</source>
+        <translation>Namen, Notizen und Ziele sind versiegelt. Was jemand ohne Passwort verändert, wird bei der Anmeldung oder von isograsp db check gefunden.</translation>
+    </message>
+    <message>
+        <source>Not hidden from whoever has the file: codes, dates, forces, the names of those who work here. Not noticed: an older copy of the file that is put back together with its FILE-audit.</source>
+        <translation>Nicht verborgen vor dem, der die Datei hat: Kürzel, Daten, Kräfte, die Namen derer, die hier arbeiten. Nicht bemerkt: eine ältere Kopie der Datei, die zusammen mit ihrer FILE-audit zurückgelegt wird.</translation>
+    </message>
+    <message>
+        <source>This database has no passphrase: whoever has the file can read all of it. What is changed, removed or added by another program is found by isograsp db check.</source>
+        <translation>Diese Datenbank hat keine Passphrase: Wer die Datei hat, kann alles lesen. Was ein anderes Programm ändert, entfernt oder hinzufügt, findet isograsp db check.</translation>
+    </message>
+    <message>
+        <source>Not noticed: changes by somebody who computes seals and log anew, and an older copy of the file that is put back. isograsp db protect gives the database a passphrase.</source>
+        <translation>Nicht bemerkt: Änderungen von jemandem, der Siegel und Zugriffsprotokoll neu berechnet, und eine ältere Kopie der Datei, die zurückgelegt wird. isograsp db protect gibt der Datenbank eine Passphrase.</translation>
+    </message>
+    <message>
+        <source>What helps: an encrypted disk, copies elsewhere, and on paper the head of the audit log and the key of signed backups (isograsp db audit).</source>
+        <translation>Was hilft: ein verschlüsselter Datenträger, Kopien an anderem Ort, und auf Papier der Kopf des Zugriffsprotokolls und der Schlüssel unterschriebener Sicherungen (isograsp db audit).</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::Remark</name>
     <message>
         <source>⚠ %1</source>

@@ -6357,6 +6357,33 @@ Reconnecté&#xa0;: %7</translation>
     </message>
 </context>
 <context>
+    <name>isograsp::gui::RecordsCard</name>
+    <message>
+        <source>The records</source>
+        <translation>La base de données</translation>
+    </message>
+    <message>
+        <source>Names, notes and goals are sealed. What somebody without a password changes is found at the login or by isograsp db check.</source>
+        <translation>Les noms, notes et objectifs sont scellés. Ce que quelqu’un modifie sans mot de passe est découvert à la connexion ou par isograsp db check.</translation>
+    </message>
+    <message>
+        <source>Not hidden from whoever has the file: codes, dates, forces, the names of those who work here. Not noticed: an older copy of the file that is put back together with its FILE-audit.</source>
+        <translation>Non caché à qui possède le fichier : codes, dates, forces, noms de ceux qui travaillent ici. Non remarqué : une copie plus ancienne du fichier, remise en place avec son FILE-audit.</translation>
+    </message>
+    <message>
+        <source>This database has no passphrase: whoever has the file can read all of it. What is changed, removed or added by another program is found by isograsp db check.</source>
+        <translation>Cette base de données n’a pas de phrase de passe : qui possède le fichier peut tout lire. Ce qu’un autre programme modifie, supprime ou ajoute est découvert par isograsp db check.</translation>
+    </message>
+    <message>
+        <source>Not noticed: changes by somebody who computes seals and log anew, and an older copy of the file that is put back. isograsp db protect gives the database a passphrase.</source>
+        <translation>Non remarqué : des modifications de quelqu’un qui recalcule sceaux et journal, et une copie plus ancienne du fichier remise en place. isograsp db protect donne une phrase de passe à la base de données.</translation>
+    </message>
+    <message>
+        <source>What helps: an encrypted disk, copies elsewhere, and on paper the head of the audit log and the key of signed backups (isograsp db audit).</source>
+        <translation>Ce qui aide : un disque chiffré, des copies ailleurs et, sur papier, la tête du journal et la clé des sauvegardes signées (isograsp db audit).</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::Remark</name>
     <message>
         <source>⚠ %1</source>

@@ -91,6 +91,24 @@ class LoginTest : public QtTest {
   std::unique_ptr<Operator> operator_;
 };
 
+TEST_F(LoginTest, WhatTheLoginFoundIsSaidAndStandsOnThePageOfTheSettings) {
+  log_in("Rosa", kPassword);
+  EXPECT_FALSE(operator_->find<QLabel>("message").text().contains("no file -audit"));
+  windows_->staff().lock();
+  std::filesystem::remove(database_ + "-audit");
+  log_in_with_password("Ada");
+  EXPECT_TRUE(operator_->find<QLabel>("message").text().contains("no file -audit"));
+  windows_->therapist().show_page(TherapistWindow::Page::settings);
+  const auto& found = operator_->find<QLabel>("records_found");
+  EXPECT_TRUE(found.isVisible());
+  EXPECT_TRUE(found.text().contains("no file -audit")) << found.text().toStdString();
+  EXPECT_TRUE(operator_->find<QLabel>("records_limits").text().contains("older copy"));
+  keep_pictures_of_both_sizes(windows_->therapist(), "settings_protected");
+  windows_->staff().lock();
+  log_in_with_password("Ada");
+  EXPECT_FALSE(found.isVisible()) << "the login has made it anew";
+}
+
 TEST_F(LoginTest, NothingOpensBeforeSomebodyIsIn) {
   keep("login");
   EXPECT_TRUE(covered());

@@ -117,6 +117,18 @@ TEST_F(SettingsTest, ANumberCanBeTypedDigitByDigit) {
   EXPECT_WITHIN(windows.settings().now().display_delay_s.value_or(0.0), 0.0125, kWritten);
 }
 
+TEST_F(SettingsTest, SayWhatCannotBeNoticedInADatabaseWithoutAPassphrase) {
+  Windows windows({folder_.path("clinic.db"), "", ISOGRASP_SOURCE_DIR "/library", "test"});
+  windows.show();
+  ASSERT_TRUE(wait_until([&] { return windows.clinic().is_open(); }));
+  const Operator therapist(windows);
+  windows.therapist().show_page(TherapistWindow::Page::settings);
+  EXPECT_TRUE(therapist.find<QLabel>("records_hold").text().contains("has no passphrase"));
+  EXPECT_TRUE(therapist.find<QLabel>("records_limits").text().contains("computes seals"));
+  EXPECT_FALSE(therapist.find<QLabel>("records_found").isVisible()) << "nobody logs in";
+  keep_pictures_of_both_sizes(windows.therapist(), "settings_unprotected");
+}
+
 TEST_F(SettingsTest, AVisualGainThatTheScreenCannotShowIsSaidOnceATrial) {
   const auto library = make_short_library(folder_);
   const auto path = library + "/tasks/familiarisation.toml";

@@ -3,48 +3,13 @@
 #include <cstdlib>
 #include <fstream>
 #include <random>
-#include <set>
 
 #include "storage/person/identity.hpp"
 #include "tests/storage/clinic_under_attack.hpp"
+#include "tests/support/database_content.hpp"
 
 namespace isograsp::storage::bit_flips_test {
 namespace {
-
-/// What has no seal by design (docs/file_formats.md, "Hash of a row").
-const std::set<std::string> kWithoutSeal{"users.pin_failed_count", "key_slots.failed_count",
-                                         "key_slots.retry_at_unix_s"};
-
-std::vector<std::string> lines_of(soci::session& sql, const std::string& query) {
-  std::vector<std::string> lines;
-  std::string line;
-  soci::statement select = (sql.prepare << query, soci::into(line));
-  select.execute();
-  while (select.fetch()) lines.push_back(line);
-  return lines;
-}
-
-/// Every row of every table, and the schema.
-std::string content_of(const std::string& path) {
-  soci::session sql(soci::sqlite3, "db=\"" + path + "\" readonly=true");
-  std::string all;
-  for (const auto& line :
-       lines_of(sql, "SELECT name || coalesce(sql, '') FROM sqlite_schema ORDER BY name"))
-    all += line + "\n";
-  for (const auto& table :
-       lines_of(sql, "SELECT name FROM sqlite_schema WHERE type = 'table' ORDER BY name")) {
-    std::string row;
-    for (const auto& column :
-         lines_of(sql, "SELECT name FROM pragma_table_info('" + table + "') ORDER BY cid"))
-      if (!kWithoutSeal.contains(table + "." + column))
-        row += (row.empty() ? "quote(" : " || ',' || quote(") + column + ")";
-    all += table + "\n";
-    for (const auto& line :
-         lines_of(sql, "SELECT " + row + " AS line FROM " + table + " ORDER BY 1"))
-      all += line + "\n";
-  }
-  return all;
-}
 
 struct BitFlips : ClinicUnderAttack {
   /// So that much of the file is signals, as in a clinic's.
@@ -74,7 +39,7 @@ TEST_P(BitFlips, NoneOfThemChangesWithoutAWordWhatIsRead) {
   const std::string backup = folder.file("backup.db");  // one file, without a log
   must(opened(path, OpenMode::read_only)->backup(backup));
   const std::string good = bytes_of(backup);
-  const std::string content = content_of(backup);
+  const std::string content = test::content_of_database(backup);
   const std::string copy = folder.file("flipped.db");
   std::mt19937_64 random(20261128);
   int named = 0;
@@ -90,7 +55,8 @@ TEST_P(BitFlips, NoneOfThemChangesWithoutAWordWhatIsRead) {
     if (!problems || !problems->empty()) {
       ++named;
     } else {
-      EXPECT_EQ(content_of(copy), content) << "silent: byte " << bit / 8 << ", bit " << bit % 8;
+      EXPECT_EQ(test::content_of_database(copy), content)
+          << "silent: byte " << bit / 8 << ", bit " << bit % 8;
     }
   }
   RecordProperty("named", named);

@@ -53,6 +53,11 @@ class PressedByHands {
   }
   [[nodiscard]] PressedState initial_state() const { return {plans_.front().initial_state(), {}}; }
 
+  /// Plan::at_rest() of the object. Real-time safe.
+  [[nodiscard]] ObjectState at_rest(const Pose& X_WO) const noexcept {
+    return plans_.front().at_rest(X_WO);
+  }
+
   /// The wrench of these forces from now on; updates state.touching. Real-time safe.
   PressedWrench grasp(const HandWrenches& wrench_C, PressedState& state) const noexcept;
   /// The motion over one hold. Real-time safe.

@@ -62,7 +62,8 @@ const Column* find(std::string_view name) {
       virtual_palm_attitude, virtual_angle, hand_grip, target_hand_grip, hand_cue, hand_force_shown,
       hand_resting_force_N, hand_maximum_force_N, sum_force_N, target_sum_force_N, sum_force_shown,
       affected_hand, platforms_coupled, skew_s, hands_finger_force, hands_finger_torque,
-      hands_finger_flags, hand_push, hands_raw_force, hands_raw_torque, lateness_s, compute_s);
+      hands_finger_flags, hand_push, hand_squeeze_N, hand_contact, hand_slip, hand_utilisation,
+      hand_end, on_rest, object_strength, hands_raw_force, hands_raw_torque, lateness_s, compute_s);
   return kAll.find(name);
 }
 

@@ -75,10 +75,27 @@ struct ShownHand {
   bool force_shown = false;
   double force_N = 0.0;
 };
+/// An object that both hands lift. World axes; a turn is about z.
+struct ShownTray {
+  Vec3 size_m = Vec3::Zero();
+  Pose X_WO;
+  Vec3 v_WO_W = Vec3::Zero();                       ///< [m/s]; used to draw it where it is now
+  Vec3 w_WO_W = Vec3::Zero();                       ///< [rad/s]
+  OfHands<Vec3> end_O{Vec3::Zero(), Vec3::Zero()};  ///< where the hands are on it, object axes
+  OfHands<bool> touches;
+  OfHands<bool> slips;        ///< the hand is about to slide off
+  bool target_shown = false;  ///< false: X_WT is that of its rest
+  Pose X_WT;
+  Pose X_WR;              ///< where it rests
+  double band_m = 0.0;    ///< to either side of the height of X_WT
+  double band_rad = 0.0;  ///< to either side of level
+  bool fetched = false;   ///< it was dropped and is brought back
+};
 /// Of two hands at once, and of their sum.
 struct ShownHands {
   OfHands<ShownHand> of;
-  ShownHand sum;  ///< its cue says nothing
+  ShownHand sum;                                 ///< its cue says nothing
+  std::optional<ShownTray> tray = std::nullopt;  ///< nothing: there is no object
 };
 
 /// One picture of the patient's screen.

@@ -74,6 +74,28 @@ inline constexpr OfHands<OfAxes> hand_push{
           "platform"),
     along("right_push_", "_N", "Net push of the right hand on its platform along %1"_text, "world",
           "platform")};
+// What they do to the object that both lift.
+inline constexpr OfHands<Column> hand_squeeze_N{
+    plain("left_squeeze_N", "Push of the left hand into the object"_text),
+    plain("right_squeeze_N", "Push of the right hand into the object"_text)};
+inline constexpr OfHands<Column> hand_contact{
+    plain("left_contact", "1: the left hand touches the object"_text),
+    plain("right_contact", "1: the right hand touches the object"_text)};
+inline constexpr OfHands<Column> hand_slip{
+    plain("left_slip", "1: the left hand is at the limit of friction"_text),
+    plain("right_slip", "1: the right hand is at the limit of friction"_text)};
+inline constexpr OfHands<Column> hand_utilisation{
+    plain("left_utilisation", "Tangential force over the limit of friction: left hand"_text),
+    plain("right_utilisation", "Tangential force over the limit of friction: right hand"_text)};
+/// Of the object, where the hand holds it.
+inline constexpr OfHands<OfAxes> hand_end{
+    along("left_end_", "_m", "Position of the object's left end along %1"_text, "world", "object"),
+    along("right_end_", "_m", "Position of the object's right end along %1"_text, "world",
+          "object")};
+inline constexpr Column on_rest =
+    plain("on_rest", "1: the hands do nothing to the object: it stands where it began"_text);
+inline constexpr Column object_strength = plain(
+    "object_strength", "Masses, springs and dampers of the scene are multiplied by this"_text);
 inline constexpr OfHands<OfFingersAxes> hands_raw_force{
     along_of_fingers("left_", "_f", "_counts",
                      "Raw force count of the left %1's sensor along %2"_text, "sensor"),

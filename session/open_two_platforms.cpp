@@ -138,8 +138,8 @@ Result<std::unique_ptr<Apparatus>> open_two_platforms(const ApparatusRequest& re
     devices[hand] = *std::move(device);
   }
   if (auto fit = TwoPlatforms::check(devices); !fit) return fit.error();
-  return std::unique_ptr<Apparatus>(
-      std::make_unique<TwoPlatforms>(std::move(devices), std::move(pair), request.display_delay_s));
+  return std::unique_ptr<Apparatus>(std::make_unique<TwoPlatforms>(
+      std::move(devices), std::move(pair), request.display_delay_s, request.library));
 }
 
 }  // namespace isograsp::session

@@ -108,6 +108,8 @@ struct KindFacts {
   /// Where the object is to be brought.
   std::vector<TargetPlace> (*targets)(const KindSpec&) = nullptr;
   PoseTolerance (*tolerance)(const KindSpec&) = nullptr;
+  /// How heavy the object of its scene is made for two hands.
+  HandsLoad (*hands_load)(const KindSpec&) = nullptr;
   /// How the target of an object moves, seen in one degree of freedom.
   std::optional<AxisCourse> (*course)(const KindSpec&, double period_s) = nullptr;
   /// Makes a task easier or harder. False: it has nothing of that sort to multiply.

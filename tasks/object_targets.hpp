@@ -28,6 +28,13 @@ struct TargetPlace {
   bool held = false;         ///< for a while, inside the tolerance
 };
 
+/// How heavy an object is made that two hands lift: at this height above its rest each hand is
+/// asked for `level` of the maximum of the weaker one.
+struct HandsLoad {
+  double level = 0.0;
+  double height_m = 0.0;
+};
+
 /// How long it takes to bring an object to its targets one after the other: half the time allowed,
 /// as a rule.
 [[nodiscard]] inline Duration duration_of_targets(double limit_s, std::size_t count) noexcept {

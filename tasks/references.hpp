@@ -54,6 +54,11 @@ struct HandReferences {
 struct TwoHandsReferences {
   OfHands<HandReferences> of;
   std::optional<Hand> affected;  ///< nothing: not known, both or neither
+  /// The smaller of both maxima [N]; nothing: one of them is not known.
+  [[nodiscard]] std::optional<double> weaker_N() const noexcept {
+    if (!of.left.maximum_N || !of.right.maximum_N) return std::nullopt;
+    return *of.left.maximum_N < *of.right.maximum_N ? of.left.maximum_N : of.right.maximum_N;
+  }
   /// Pressing one empty platform moves the other: there are no shares. Nothing: not checked.
   std::optional<bool> coupled;
 };

@@ -45,7 +45,9 @@ struct TaskContext {
   std::uint64_t seed = 0;  ///< of fresh sequences and waits that cannot be foreseen
   ForceReferences references;
   TwoHandsReferences two_hands = {};  ///< of a task of both hands
-  std::vector<OwnRange> ranges;       ///< of the links of this arm, measured in this session
+  /// Of the object that both lift: by so much more they raise it for a metre. Nothing: not known.
+  std::optional<double> lift_N_m = std::nullopt;
+  std::vector<OwnRange> ranges;  ///< of the links of this arm, measured in this session
   ArmScreening screening;
   std::optional<ArmPostures> arm;  ///< of a task that names postures
   /// Virtual objects that this hand may still be asked to place in this session.

@@ -74,6 +74,11 @@ std::vector<TargetPlace> TaskSpec::targets() const {
   return kind->targets(kind);
 }
 
+std::optional<HandsLoad> TaskSpec::hands_load() const {
+  if (kind->hands_load == nullptr) return std::nullopt;
+  return kind->hands_load(kind);
+}
+
 std::optional<PoseTolerance> TaskSpec::tolerance() const {
   if (kind->tolerance == nullptr) return std::nullopt;
   return kind->tolerance(kind);

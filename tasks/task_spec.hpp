@@ -46,6 +46,8 @@ struct TaskSpec {
   /// Where the object is to be brought, and how near is near enough.
   [[nodiscard]] std::vector<TargetPlace> targets() const;
   [[nodiscard]] std::optional<PoseTolerance> tolerance() const;
+  /// How heavy the object is made for two hands; nothing: it is as the scene says.
+  [[nodiscard]] std::optional<HandsLoad> hands_load() const;
   /// How its target moves, seen in one degree of freedom; nothing: it does not.
   [[nodiscard]] std::optional<AxisCourse> course(double period_s) const;
   /// Efforts that a task asks for: presses, cues, holds, targets, cycles of a periodic target; 1

@@ -80,10 +80,11 @@ Result<void> TwoPlatforms::check(const Devices& devices) {
 }
 
 TwoPlatforms::TwoPlatforms(Devices devices, std::unique_ptr<virtual_patient::VirtualPair> pair,
-                           std::optional<double> display_delay_s)
+                           std::optional<double> display_delay_s, std::string library)
     : pair_(std::move(pair)),
       sides_{PlatformReader(std::move(devices.left)), PlatformReader(std::move(devices.right))},
       display_delay_s_(display_delay_s),
+      library_(std::move(library)),
       info_(info_of(sides_.left.info(), sides_.right.info())) {}
 
 std::span<const PreparationStep> TwoPlatforms::steps() const noexcept {
@@ -149,9 +150,18 @@ Result<std::unique_ptr<Preparation>> TwoPlatforms::make_preparation(const ZeroRe
 
 Result<std::unique_ptr<TrialSetup>> TwoPlatforms::make_trial(const tasks::TaskSpec& spec,
                                                              const tasks::TaskContext& context) {
-  auto task = tasks::make_task(spec, context);
-  if (!task) return task.error();
   auto trial = std::make_unique<TwoPlatformsTrial>();
+  tasks::TaskContext known = context;
+  if (spec.hands_load()) {
+    auto object = LiftedObject::read(spec, context, library_);
+    if (!object) return object.error();
+    constexpr Eigen::Index kUp = 1;
+    known.lift_N_m = object->scene().stiffness[kUp];
+    trial->record.scene_text = object->text();
+    trial->object = *std::move(object);
+  }
+  auto task = tasks::make_task(spec, known);
+  if (!task) return task.error();
   trial->spec = spec;
   trial->task = *std::move(task);
   trial->references = context.two_hands;
@@ -219,6 +229,17 @@ Reception TwoPlatforms::receive() noexcept {
 void TwoPlatforms::begin(TrialSetup& setup) noexcept {
   trial_ = &static_cast<TwoPlatformsTrial&>(setup);
   now_.special = {};
+  now_.lifted.reset();
+  auto& object = trial_->object;
+  if (object) object->begin(now_.lifted.emplace());
+  if (pair_ == nullptr) return;
+  // A simulated person gets to know the object before the trial.
+  OfHands<std::optional<Scene>> halves;
+  if (object)
+    for (const Hand hand : kBothHands)
+      halves[hand] =
+          object->half_of(hand, sides_[hand].info().platform, trial_->spec.hands_load()->height_m);
+  pair_->meet_object(halves);
 }
 
 void TwoPlatforms::end(TrialSetup&) noexcept {
@@ -227,14 +248,34 @@ void TwoPlatforms::end(TrialSetup&) noexcept {
 }
 
 void TwoPlatforms::step() noexcept {
-  const tasks::TaskView view = trial_->task->step(
-      tasks::TwoHandsInput{{now_.of.left.forces.wrench_C, now_.of.right.forces.wrench_C}});
+  tasks::TwoHandsInput input{{now_.of.left.forces.wrench_C, now_.of.right.forces.wrench_C}};
+  if (trial_->object) {
+    LiftedView& lifted = *now_.lifted;
+    // A hand without a value presses on as before; soon the trial stands still.
+    if (now_.of.left.push_W && now_.of.right.push_W)
+      trial_->object->press({*now_.of.left.push_W, *now_.of.right.push_W}, lifted);
+    input.object = &lifted.object;
+    for (const Hand hand : kBothHands) {
+      input.touches[hand] = lifted.of[hand].touches;
+      input.slips[hand] = lifted.of[hand].slips;
+    }
+  }
+  const tasks::TaskView view = trial_->task->step(input);
   now_.task = view;
   now_.special = view;
 }
 
 void TwoPlatforms::write(const RowFrame& frame, TrialRow& row) noexcept {
   trial_->write(frame, now_, row);
+}
+
+void TwoPlatforms::move() noexcept {
+  if (!trial_->object) return;
+  const auto& asked = now_.special.two_hands().lift;
+  if (asked && asked->on_rest)
+    trial_->object->stay(asked->rest_X_WO, *now_.lifted);
+  else
+    trial_->object->move(*now_.lifted);
 }
 
 void TwoPlatforms::publish() noexcept {

@@ -28,7 +28,7 @@ class TwoPlatforms final : public Apparatus {
   /// `pair` presses simulated devices and watches the screen; null: nobody is simulated.
   /// @pre check(devices)
   TwoPlatforms(Devices devices, std::unique_ptr<virtual_patient::VirtualPair> pair,
-               std::optional<double> display_delay_s);
+               std::optional<double> display_delay_s, std::string library = "");
 
   [[nodiscard]] const DeviceInfo& device(Hand hand) const noexcept { return sides_[hand].info(); }
   [[nodiscard]] std::optional<double> resolution_N(Hand hand) const noexcept {
@@ -60,7 +60,7 @@ class TwoPlatforms final : public Apparatus {
   [[nodiscard]] Reception receive() noexcept override;
   void step() noexcept override;
   void write(const RowFrame& frame, TrialRow& row) noexcept override;
-  void move() noexcept override {}
+  void move() noexcept override;
   void publish() noexcept override;
   void show() noexcept override;
 
@@ -76,6 +76,7 @@ class TwoPlatforms final : public Apparatus {
   std::unique_ptr<virtual_patient::VirtualPair> pair_;
   OfHands<PlatformReader> sides_;  ///< are pressed by the pair
   std::optional<double> display_delay_s_;
+  std::string library_;  ///< folder with scenes/
   ApparatusInfo info_;
   Latest<TwoPlatformsSnapshot> snapshots_;
   TwoPlatformsSnapshot now_;  ///< the state that is published

@@ -17,6 +17,27 @@ ShownHand shown(const tasks::HandAsked& of) noexcept {
   return hand;
 }
 
+/// @pre now.lifted and a task that says what is to be done with it
+ShownTray shown(const LiftedView& seen, const tasks::LiftView& asked) noexcept {
+  ShownTray tray;
+  tray.size_m = seen.size_m;
+  tray.X_WO = seen.object.X_WO;
+  tray.v_WO_W = seen.object.v_WO_W;
+  tray.w_WO_W = seen.object.w_WO_W;
+  tray.target_shown = asked.target_shown;
+  tray.X_WT = asked.target_shown ? asked.X_WT : asked.rest_X_WO;
+  tray.X_WR = asked.rest_X_WO;
+  tray.band_m = asked.band.position_m;
+  tray.band_rad = asked.band.angle_rad;
+  tray.fetched = asked.fetched;
+  for (const Hand hand : kBothHands) {
+    tray.end_O[hand] = seen.of[hand].end_O;
+    tray.touches[hand] = seen.of[hand].touches;
+    tray.slips[hand] = seen.of[hand].slips;
+  }
+  return tray;
+}
+
 }  // namespace
 
 Vec3 push_in_view(Hand hand, const Vec3& force_P) noexcept {
@@ -33,6 +54,7 @@ Stimulus screen_of(const TwoPlatformsSnapshot& now) noexcept {
   hands.sum.target_force_N = task.target_sum_N.value_or(0.0);
   hands.sum.force_shown = task.sum_shown;
   if (task.sum_shown) hands.sum.force_N = task.of.left.force_N + task.of.right.force_N;
+  if (now.lifted && task.lift) hands.tray = shown(*now.lifted, *task.lift);
   return screen;
 }
 

@@ -25,13 +25,30 @@ struct PlatformSide {
   std::optional<Vec3> push_W;
 };
 
+/// What one hand does to the object that both lift.
+struct LiftingHand {
+  Vec3 end_O = Vec3::Zero();  ///< where it presses, object axes
+  double squeeze_N = 0.0;     ///< into the object, signed
+  bool touches = false;
+  bool slips = false;        ///< at the limit of friction
+  double utilisation = 0.0;  ///< share of that limit, before the clamp
+};
+/// An object that both hands lift.
+struct LiftedView {
+  ObjectState object;
+  Vec3 size_m = Vec3::Zero();
+  OfHands<LiftingHand> of;
+  Wrench F_O_W;  ///< by both hands, about its centre of mass
+};
+
 /// Copying it takes no memory from the heap. Published once per frame.
 struct TwoPlatformsSnapshot : Moment {
   OfHands<PlatformSide> of;
   /// The newest sample of the right platform is later than that of the left by so much; nothing: a
   /// frame was closed because its time was up.
   std::optional<double> skew_s;
-  tasks::SpecialView special;  ///< of the running trial's task, beside its progress
+  tasks::SpecialView special;        ///< of the running trial's task, beside its progress
+  std::optional<LiftedView> lifted;  ///< nothing: the trial has no object
 };
 
 /// Net push of one hand in the axes of the patient's view: those of the platform, which for a left

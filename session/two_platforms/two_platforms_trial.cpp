@@ -81,13 +81,60 @@ void put_hand_counts(Sink& sink, Hand hand, const FingerFrame& forces) {
 }
 
 template <class Sink>
+void put_lift_task(Sink& sink, const RowFrame& frame, const LiftedView& seen,
+                   const tasks::LiftView& asked) {
+  const bool target = asked.target_shown;
+  put_triple(sink, columns::target_position, asked.X_WT.p, target);
+  put_triple(sink, columns::actual_position, seen.object.X_WO.p, true);
+  sink.put(columns::target_angle_rad, target ? 0.0 : kBlank);  // level
+  sink.put(columns::actual_angle_rad, seen.object.angle_rad);
+  sink.put(columns::target_index, stored_number(frame.task.target_index));
+  sink.put(columns::targets_reached, stored_number(frame.task.targets_reached));
+  sink.put(columns::drops, stored_number(asked.drops));
+  sink.put(columns::on_rest, stored_number(asked.on_rest));
+}
+
+template <class Sink>
+void put_quaternion(Sink& sink, const columns::OfComponents& components, const Quat& q,
+                    bool known) {
+  const std::array<double, 4> value{q.w(), q.x(), q.y(), q.z()};
+  for (std::size_t i = 0; i < value.size(); ++i) sink.put(components[i], known ? value[i] : kBlank);
+}
+
+template <class Sink>
+void put_lifted(Sink& sink, const LiftedView& seen, const tasks::LiftView& asked, double strength) {
+  sink.begin("object");
+  const ObjectState& object = seen.object;
+  put_quaternion(sink, columns::actual_attitude, object.X_WO.q, true);
+  put_quaternion(sink, columns::target_attitude, asked.X_WT.q, asked.target_shown);
+  put_triple(sink, columns::object_velocity, object.v_WO_W, true);
+  put_triple(sink, columns::object_angular_velocity, object.w_WO_W, true);
+  const bool acts = !asked.on_rest;
+  put_triple(sink, columns::object_force, acts ? seen.F_O_W.force : Vec3::Zero(), true);
+  put_triple(sink, columns::object_torque, acts ? seen.F_O_W.torque : Vec3::Zero(), true);
+  for (const Hand hand : kBothHands) {
+    const LiftingHand& of = seen.of[hand];
+    sink.put(columns::hand_squeeze_N[hand], of.squeeze_N);
+    sink.put(columns::hand_contact[hand], stored_number(of.touches));
+    sink.put(columns::hand_slip[hand], stored_number(of.slips));
+    sink.put(columns::hand_utilisation[hand], of.utilisation);
+    put_triple(sink, columns::hand_end[hand], object.X_WO.p + object.X_WO.q * of.end_O, true);
+  }
+  sink.put(columns::object_strength, strength);
+}
+
+template <class Sink>
 void put_hands_row(Sink sink, const RowFrame& frame, const TwoPlatformsSnapshot& seen,
                    const TwoPlatformsTrial& trial) {
+  const LiftedView lifted = seen.lifted.value_or(LiftedView());
+  const tasks::LiftView asked = seen.special.two_hands().lift.value_or(tasks::LiftView());
   put_hands_task(sink, frame, seen, trial);
+  if (trial.object) put_lift_task(sink, frame, lifted, asked);
   sink.begin("force");
   for (const Hand hand : kBothHands) put_hand_forces(sink, hand, seen.of[hand]);
   sink.begin("raw");
   for (const Hand hand : kBothHands) put_hand_counts(sink, hand, seen.of[hand].forces);
+  if (trial.object) put_lifted(sink, lifted, asked, trial.object->strength());
   put_timing(sink, frame);
   sink.put(columns::skew_s, seen.skew_s.value_or(kBlank));
 }

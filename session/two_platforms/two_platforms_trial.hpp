@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "session/acquisition/apparatus.hpp"
+#include "session/two_platforms/lifted_object.hpp"
 #include "session/two_platforms/two_platforms_snapshot.hpp"
 #include "tasks/references.hpp"
 
@@ -24,7 +25,8 @@ class TwoPlatformsTrial final : public TrialSetup {
   tasks::TwoHandsReferences references;
   std::optional<double> device_delay_s;
   std::optional<double> display_delay_s;
-  OfHands<DeviceHealth> health;  ///< at its end
+  std::optional<LiftedObject> object;  ///< nothing: a task of forces
+  OfHands<DeviceHealth> health;        ///< at its end
 };
 
 }  // namespace isograsp::session

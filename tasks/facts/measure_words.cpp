@@ -208,6 +208,17 @@ constexpr std::array kEntries{
     Entry{"hand_synergy", "Synergy of the hands"_text, Better::unknown, Use::research},
     Entry{"cancelled_share", "Pushes that the hands take from each other"_text, Better::unknown,
           Use::research},
+    // Two hands that lift an object.
+    Entry{"object_tilt", "Tilt of the object"_text, Better::lower},
+    Entry{"object_tilt_mean", "Side of the tilt (above 0: right end higher)"_text,
+          Better::near_zero},
+    Entry{"least_squeeze", "Least squeeze"_text, Better::unknown},
+    Entry{"raise_above_rest", "Mean push up, above rest"_text, Better::unknown},
+    Entry{"raise_share_affected", "Share of the raising, affected hand"_text, Better::unknown},
+    Entry{"squeeze_above_rest", "Mean squeeze, above rest"_text, Better::unknown},
+    Entry{"squeeze_share_affected", "Share of the squeeze, affected hand"_text, Better::unknown},
+    Entry{"path_share_affected", "Share of the way, affected hand"_text, Better::unknown,
+          Use::research},
     // A tracked hand: all of it research, a tracker is too coarse for a verdict.
     Entry{"largest_gap", "Largest gap of thumb and index finger"_text, Better::unknown,
           Use::research},
@@ -290,10 +301,10 @@ constexpr std::array<std::string_view, 16> kSteadyErrors{"seen",
 
 /// Differences of logarithms, correlations and shares with a sign: their scale does not end at
 /// zero. A measure that is best near zero is judged by its distance from zero, whose scale does.
-constexpr std::array<std::string_view, 9> kBelowZero{
-    "least_angle",           "largest_angle",    "individuation_index",
-    "projection_ratio",      "synergy_index",    "synergy_index_z",
-    "grip_load_correlation", "force_above_rest", "bilateral_deficit"};
+constexpr std::array<std::string_view, 11> kBelowZero{
+    "least_angle",       "largest_angle",    "individuation_index",   "projection_ratio",
+    "synergy_index",     "synergy_index_z",  "grip_load_correlation", "force_above_rest",
+    "bilateral_deficit", "raise_above_rest", "squeeze_above_rest"};
 
 /// Channels that need no word: the only one of their measure, or the one that is usual.
 constexpr std::array<std::string_view, 16> kPlainChannels{

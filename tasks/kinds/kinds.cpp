@@ -28,6 +28,7 @@
 #include "tasks/kinds/two_hands/bilateral_maximum.hpp"
 #include "tasks/kinds/two_hands/bilateral_rest.hpp"
 #include "tasks/kinds/two_hands/bilateral_tracking.hpp"
+#include "tasks/kinds/two_hands/bimanual_lift.hpp"
 #include "tasks/kinds/two_hands/mirror.hpp"
 
 namespace isograsp::tasks {
@@ -57,6 +58,7 @@ constexpr std::array kKinds{
     &BilateralRestSpec::kFacts,
     &BilateralMaximumSpec::kFacts,
     &BilateralTrackingSpec::kFacts,
+    &BimanualLiftSpec::kFacts,
     &MirrorSpec::kFacts,
     &ActiveRangeSpec::kFacts,
     &PoseMatchingSpec::kFacts,

@@ -13,7 +13,7 @@ ARM = """arm_familiarisation arm_follow arm_follow_half arm_follow_three_quarter
 arm_screw_three_quarters arm_wrist""".split()
 HAND = ["hand_opening", "virtual_place_first"]
 PAIR = """two_hands_rest two_hands_maximum two_hands_sum two_hands_each two_hands_turns two_hands_affected_works_25
-two_hands_affected_works_50 two_hands_other_works_25 two_hands_other_works_50""".split()
+two_hands_affected_works_50 two_hands_other_works_25 two_hands_other_works_50 two_hands_lift""".split()
 NOT_RUN = {"virtual_place": "its placements are long; virtual_pick_place is compared in five other tasks",
            "virtual_place_training": "likewise",
            "grip_sine_fixed": "needs maxima of two days; force_tracking is compared in 20 other tasks",
@@ -101,6 +101,9 @@ OWN_PAIR = {
                         'most_N = 12\nband_fraction = 0.3\nfrequency_Hz = 0.4\nduration_s = 11\nlead_in_s = 1\n',
     "own_pair_left": 'kind = "mirror"\nactive = "left"\nlevel_fraction = 0.4\nband_fraction = 0.2\nrepetitions = 2\n'
                      'hold_s = 3.3\nrest_s = 1\n',
+    "own_pair_lift": 'kind = "bimanual_lift"\nscene = "tray_on_springs"\nlevel_fraction = 0.3\nheight_m = 0.05\n'
+                     'position_tolerance_m = 0.02\nangle_tolerance_deg = 3\nlifts = 3\nhold_s = 1.3\n'
+                     'time_limit_s = 4.7\nlead_in_s = 2\nrest_s = 3\nfetch_s = 1\n',
     "own_pair_quick": 'kind = "bilateral_maximum"\nlead_in_s = 0.5\nsqueeze_s = 2\nrest_s = 3\nwindow_s = 0.333\n',
 }
 OWN |= OWN_PAIR

@@ -5,10 +5,11 @@ import math
 
 import numpy as np
 
-from record import ACTIVE
+from handling import HANDLING, add_times, attempts_of
+from record import ACTIVE, LEAD_IN, PAUSED, Selection
 from recorded import everything
 from strength import counting, window_of
-from tools import differences, pearson, uniform, weighted_mean
+from tools import differences, pearson, quantile, uniform, weighted_mean
 from tracking import add_errors, lag_of
 
 SUM = "target_sum_force_N"
@@ -153,6 +154,63 @@ def score_bilateral_maximum(results, task, record):
     known = None not in sums.values() and sums[False] > 0
     results.add("bilateral_deficit", "both", 100 * sums[True] / sums[False] - 100 if known else None,
                 record.select([ACTIVE], ["left_force_N", "right_force_N"]))
+
+
+def score_bimanual_lift(results, task, record):
+    add_times(results, record, attempts_of(record, task["lifts"]), task["time_limit_s"], until_let_go=False)
+    drops = record.select(HANDLING, ["drops"])
+    results.add("drops", "contact", float(np.max(record.column("drops")[drops.rows], initial=0)), drops)
+    height = record.column("actual_y_m")
+    up = height - record.first_value("actual_y_m") > 0.01
+
+    def lifted(columns):
+        selection = record.select(HANDLING, columns + ["actual_y_m"])
+        return Selection(selection.rows[up[selection.rows]], selection.excluded)
+
+    def mean(column, selection):
+        return weighted_mean(record.column(column)[selection.rows], record.hold[selection.rows])
+
+    tilted, angle = lifted(["actual_angle_rad"]), record.column("actual_angle_rad")
+    rms = level = None
+    if tilted.samples:
+        rms = math.sqrt(weighted_mean(angle[tilted.rows]**2, record.hold[tilted.rows]))
+        level = mean("actual_angle_rad", tilted)
+    results.add("object_tilt", "angle", rms, tilted)
+    results.add("object_tilt_mean", "angle", level, tilted)
+    for hand in ("left", "right"):
+        for name, column, q, factor in (("least_squeeze", "squeeze_N", 0.05, 1),
+                                        ("friction_utilisation", "utilisation", 0.95, 100)):
+            chosen = lifted([f"{hand}_{column}"])
+            at = chosen.rows
+            value = factor * quantile(record.column(f"{hand}_{column}")[at], record.hold[at], q) if len(at) else None
+            results.add(name, hand, value, chosen)
+    side = record.first_value("affected_hand")
+    affected = None if np.isnan(side) else "left" if side == 0 else "right"
+    first = affected or "left"
+    other = "right" if first == "left" else "left"
+    ends = {hand: [f"{hand}_end_{axis}_m" for axis in "xyz"] for hand in (first, other)}
+    seen = lifted(ends["left"] + ends["right"])
+    near = np.flatnonzero(np.diff(seen.rows) == 1)
+    way = {}
+    for hand in (first, other):
+        place = np.array([record.column(name)[seen.rows] for name in ends[hand]])
+        way[hand] = float(np.sum(np.linalg.norm(place[:, near + 1] - place[:, near], axis=0)))
+    results.add("path_share_affected", affected or "both", share(way[first], way[other]) if affected else None, seen)
+    begun = np.flatnonzero((record.phase != LEAD_IN) & (record.phase != PAUSED))
+    before = begun[0] if len(begun) else record.size
+    coupled = np.nan_to_num(record.first_value("platforms_coupled")) != 0
+    for name, column in (("raise", "push_y_N"), ("squeeze", "squeeze_N")):
+        columns = {hand: f"{hand}_{column}" for hand in ("left", "right")}
+        works, rests = lifted(list(columns.values())), record.select([LEAD_IN], list(columns.values()), 0, before)
+        above = {}
+        for hand in ("left", "right"):
+            above[hand] = None
+            if works.samples and rests.samples:
+                above[hand] = mean(columns[hand], works) - mean(columns[hand], rests)
+            results.add(f"{name}_above_rest", hand, above[hand], works)
+        known = affected and not coupled and None not in above.values()
+        results.add(f"{name}_share_affected", affected or "both", share(above[first], above[other]) if known else None,
+                    works)
 
 
 def score_mirror(results, _task, record):

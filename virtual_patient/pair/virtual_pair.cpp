@@ -52,6 +52,23 @@ void VirtualPair::see(const Stimulus& stimulus) noexcept {
   for (const Hand hand : kBothHands) patients_[hand].see(picture_for(hand, stimulus));
 }
 
+void VirtualPair::meet_object(const OfHands<std::optional<Scene>>& halves) {
+  for (const Hand hand : kBothHands) patients_[hand].meet_object(halves[hand]);
+}
+
+void VirtualPair::look_at_end(Hand hand, const ShownTray& tray, Stimulus& picture) noexcept {
+  // Where the middle would be if the object were level.
+  const Vec3& end_O = tray.end_O[hand];
+  const Vec3 end_W = tray.X_WO.q * end_O;
+  picture.object_shown = true;
+  picture.X_WO = {tray.X_WO.p + end_W - end_O, Quat::Identity()};
+  picture.v_WO_W = tray.v_WO_W + tray.w_WO_W.cross(end_W);
+  picture.w_WO_W = Vec3::Zero();
+  picture.pose_target_shown = tray.target_shown;
+  picture.X_WT = {tray.X_WT.p, Quat::Identity()};
+  picture.contact.fill(tray.touches[hand]);
+}
+
 Stimulus VirtualPair::picture_for(Hand hand, const Stimulus& whole) const noexcept {
   Stimulus picture = whole;
   picture.t_s += lag_s_[hand];
@@ -62,6 +79,7 @@ Stimulus VirtualPair::picture_for(Hand hand, const Stimulus& whole) const noexce
   const ShownHand& sum = whole.hands->sum;
   picture.cue = own.cue;
   picture.channel = {};
+  if (whole.hands->tray) look_at_end(hand, *whole.hands->tray, picture);
   const bool by_itself = own.target_shown || !sum.target_shown;
   const double part = by_itself ? 1.0 : share_[hand];
   const ShownHand& watched = by_itself ? own : sum;

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/random.hpp"
@@ -25,6 +26,9 @@ class VirtualPair {
   /// What one hand presses, for its simulated device; it lives as long as the pair. The hands are
   /// asked for the same times at 1 kHz, one of them at most kStored of them before the other.
   [[nodiscard]] FingerSource& source(Hand hand) noexcept { return sides_[hand]; }
+  /// The object now on the screen as each hand meets it (VirtualPatient::meet_object()); none:
+  /// there is none. Not real-time safe; between trials only.
+  void meet_object(const OfHands<std::optional<Scene>>& halves);
   /// A new picture of the one screen, once per frame. Real-time safe.
   void see(const Stimulus& stimulus) noexcept;
 
@@ -53,6 +57,8 @@ class VirtualPair {
   /// Both hands at the next time.
   void advance(double t_s) noexcept;
   /// The screen as one hand takes it.
+  /// Each hand watches its own end of the object.
+  static void look_at_end(Hand hand, const ShownTray& tray, Stimulus& picture) noexcept;
   [[nodiscard]] Stimulus picture_for(Hand hand, const Stimulus& whole) const noexcept;
 
   PairTraits traits_;

@@ -37,10 +37,7 @@ bool has_target(const HandsSegment& segment) {
 
 Result<void> check_effort(const HandsTimeline& timeline, Effort allowed) {
   if (timeline.rests || allowed == Effort::maximum) return {};
-  if (allowed == Effort::none)
-    return refused("the screening allows these hands no effort"_text,
-                   "leave the task out, or repeat the screening"_text)
-        .about("kind");
+  if (auto good = check_any_effort(allowed); !good) return good;
   for (const HandsSegment& segment : timeline.segments)
     for (const Hand hand : kBothHands)
       if (segment.cue[hand] == Cue::squeeze)
@@ -52,36 +49,15 @@ Result<void> check_effort(const HandsTimeline& timeline, Effort allowed) {
 
 Result<void> check_target(const HandsTimeline& timeline, const HandsSegment& segment,
                           const OfHands<HandReferences>& of) {
-  for (const Hand hand : kBothHands)
-    if (!(of[hand].maximum_N.value_or(0.0) > 0.0))
-      return refused("the maximum force of the %1 hand was not measured in this session"_text(
-                         word_of(hand)),
-                     "run the resting-force task and the maximum task of both hands first"_text)
-          .about("scale");
+  if (auto good = check_maxima(of); !good) return good;
+  OfHands<AskedOfHand> asked;
   for (const Hand hand : kBothHands) {
     const double force_N = asked_N(segment, hand, of);
-    if (force_N > kMostOfMaximum * *of[hand].maximum_N * (1.0 + kSlack))
-      return refused("asks the %1 hand for %2 N, more than half of its maximum of %3 N"_text(
-                         word_of(hand), fixed(force_N, 1), fixed(*of[hand].maximum_N, 1)),
-                     "choose a lower level, or another ratio"_text)
-          .about(timeline.level_key);
-    if (of[hand].ceiling_N && force_N > *of[hand].ceiling_N * (1.0 + kSlack))
-      return refused("asks the %1 hand for %2 N, above its ceiling of %3 N"_text(
-                         word_of(hand), fixed(force_N, 1), fixed(*of[hand].ceiling_N, 1)),
-                     "choose a lower level"_text)
-          .about(timeline.level_key);
-    if (segment.phase != Phase::active || force_N == 0.0) continue;
-    const double least_band_N = std::max(kLeastSteps * of[hand].resolution_N.value_or(0.0),
-                                         kLeastNoise * of[hand].noise_sd_N.value_or(0.0));
-    if (timeline.band_fraction * force_N < least_band_N * (1.0 - kSlack))
-      return refused(
-                 "the target of %1 N for the %2 hand has a band that its sensors cannot resolve"_text(
-                     fixed(force_N, 1), word_of(hand)),
-                 "choose a level of at least %1 N, or a wider band"_text(
-                     fixed(least_band_N / timeline.band_fraction, 1)))
-          .about("band_fraction");
+    asked[hand] = {force_N, std::nullopt};
+    if (segment.phase == Phase::active && force_N != 0.0)
+      asked[hand].band_N = timeline.band_fraction * force_N;
   }
-  return {};
+  return check_asked(asked, of, {timeline.level_key, "band_fraction"});
 }
 
 /// Of the frame `k` of its segment.
@@ -153,6 +129,51 @@ class PlayHands final : public Task {
 };
 
 }  // namespace
+
+Result<void> check_any_effort(Effort allowed) {
+  if (allowed != Effort::none) return {};
+  return refused("the screening allows these hands no effort"_text,
+                 "leave the task out, or repeat the screening"_text)
+      .about("kind");
+}
+
+Result<void> check_maxima(const OfHands<HandReferences>& of) {
+  for (const Hand hand : kBothHands)
+    if (!(of[hand].maximum_N.value_or(0.0) > 0.0))
+      return refused("the maximum force of the %1 hand was not measured in this session"_text(
+                         word_of(hand)),
+                     "run the resting-force task and the maximum task of both hands first"_text)
+          .about("scale");
+  return {};
+}
+
+Result<void> check_asked(const OfHands<AskedOfHand>& asked, const OfHands<HandReferences>& of,
+                         const AskedKeys& keys) {
+  for (const Hand hand : kBothHands) {
+    const auto& [force_N, band_N] = asked[hand];
+    if (force_N > kMostOfMaximum * *of[hand].maximum_N * (1.0 + kSlack))
+      return refused("asks the %1 hand for %2 N, more than half of its maximum of %3 N"_text(
+                         word_of(hand), fixed(force_N, 1), fixed(*of[hand].maximum_N, 1)),
+                     "choose a lower level, or another ratio"_text)
+          .about(keys.level);
+    if (of[hand].ceiling_N && force_N > *of[hand].ceiling_N * (1.0 + kSlack))
+      return refused("asks the %1 hand for %2 N, above its ceiling of %3 N"_text(
+                         word_of(hand), fixed(force_N, 1), fixed(*of[hand].ceiling_N, 1)),
+                     "choose a lower level"_text)
+          .about(keys.level);
+    if (!band_N) continue;
+    const double least_band_N = std::max(kLeastSteps * of[hand].resolution_N.value_or(0.0),
+                                         kLeastNoise * of[hand].noise_sd_N.value_or(0.0));
+    if (*band_N < least_band_N * (1.0 - kSlack))
+      return refused(
+                 "the target of %1 N for the %2 hand has a band that its sensors cannot resolve"_text(
+                     fixed(force_N, 1), word_of(hand)),
+                 "choose a level of at least %1 N, or a wider band"_text(
+                     fixed(least_band_N * force_N / *band_N, 1)))
+          .about(keys.band);
+  }
+  return {};
+}
 
 HandsSegment hands_relaxed(std::int64_t frames, Phase phase) {
   HandsSegment segment;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/result.hpp"
@@ -34,6 +35,27 @@ struct HandsTimeline {
   const char* level_key = "";  ///< in its file: names the field of a target that is refused
   bool rests = false;          ///< no effort is asked for, whatever the screening says
 };
+
+/// What a task asks of one hand at most.
+struct AskedOfHand {
+  double force_N = 0.0;
+  std::optional<double> band_N = std::nullopt;  ///< to either side; nothing: there is none
+};
+/// In its file: the fields that are named by what is refused.
+struct AskedKeys {
+  const char* level = "";
+  const char* band = "";
+};
+
+// Clinical rules of all that is asked of two hands (docs/bimanual.md), each with a remedy.
+/// Refuses where the screening allows no effort at all.
+[[nodiscard]] Result<void> check_any_effort(Effort allowed);
+/// Refuses where the maximum of a hand is not known.
+[[nodiscard]] Result<void> check_maxima(const OfHands<HandReferences>& of);
+/// Refuses more than half of the maximum of a hand, more than its ceiling, and a band that its
+/// sensors cannot resolve. @pre check_maxima(of)
+[[nodiscard]] Result<void> check_asked(const OfHands<AskedOfHand>& asked,
+                                       const OfHands<HandReferences>& of, const AskedKeys& keys);
 
 /// The task that goes through it. Refused, with a remedy: effort that the screening does not allow;
 /// a target where the maximum of a hand is not known; one that asks either hand for more than half

@@ -316,11 +316,17 @@ void paint_banner(QPainter& painter, const QRectF& area, const PatientPicture& p
   if (!picture.detail.empty())
     draw_line(painter, area, part(area, 0.12, 0.112, 0.88, 0.172),
               QString::fromStdString(picture.detail), 0.042, false, kSoftInk);
-  // One mark per target, at the left: reached ones carry a check.
-  const double radius = 0.017 * area.height();
+  paint_target_marks(painter,
+                     {area.left() + 0.045 * area.height(), area.top() + 0.053 * area.height()},
+                     0.017 * area.height(), picture);
+  draw_badge(painter, area, picture);
+}
+
+void paint_target_marks(QPainter& painter, const QPointF& first, double radius,
+                        const PatientPicture& picture) {
+  constexpr double kApart = 2.6;  // radii
   for (int i = 0; i < picture.target_count; ++i) {
-    const QPointF centre(area.left() + 0.045 * area.height() + 2.6 * radius * i,
-                         area.top() + 0.053 * area.height());
+    const QPointF centre(first.x() + kApart * radius * i, first.y());
     if (i < picture.targets_reached) {
       paint_check(painter, centre, radius);
     } else {
@@ -329,7 +335,6 @@ void paint_banner(QPainter& painter, const QRectF& area, const PatientPicture& p
       painter.drawEllipse(centre, radius - 1, radius - 1);
     }
   }
-  draw_badge(painter, area, picture);
 }
 
 void paint_hold_ring(QPainter& painter, const QPointF& centre, double radius, double fraction) {

@@ -19,6 +19,9 @@ void paint_banner(QPainter& painter, const QRectF& area, const PatientPicture& p
 /// Height of that strip as a share of the screen.
 inline constexpr double kBannerShare = 0.19;
 
+/// One mark for each target, to the right from `first`; those that were reached carry a check.
+void paint_target_marks(QPainter& painter, const QPointF& first, double radius,
+                        const PatientPicture& picture);
 /// A ring around `centre` that closes while the block is held; what is behind it stays visible.
 void paint_hold_ring(QPainter& painter, const QPointF& centre, double radius, double fraction);
 /// The mark of a finger that touches: a check in a disc.

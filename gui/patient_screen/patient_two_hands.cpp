@@ -7,6 +7,7 @@
 #include "gui/patient_screen/patient_canvas.hpp"
 #include "gui/patient_screen/patient_ink.hpp"
 #include "gui/patient_screen/patient_signs.hpp"
+#include "gui/patient_screen/patient_tray.hpp"
 
 namespace isograsp::gui {
 
@@ -132,6 +133,13 @@ void draw_sum(QPainter& painter, const QRectF& area, const QRectF& column,
 void paint_two_hands(QPainter& painter, const QRectF& area, const PatientPicture& picture) {
   painter.setRenderHint(QPainter::Antialiasing);
   const TwoHandsPicture& both = *picture.two_hands;
+  if (both.tray) {
+    paint_tray(painter, part(area, 0.16, 0.25, 0.84, 0.90), picture);
+    paint_target_marks(painter,
+                       {area.left() + 0.06 * area.height(), area.top() + 0.27 * area.height()},
+                       0.017 * area.height(), picture);
+    return;
+  }
   // Nearer to the middle where nothing stands there.
   const double left = both.sum ? 0.05 : 0.14;
   constexpr double kColumn = 0.30;

@@ -52,6 +52,7 @@ QString act_of(Cue cue, bool other_works) {
     case Cue::squeeze: return TwoHandsTexts::tr("squeezes");
     case Cue::follow:
     case Cue::press: return TwoHandsTexts::tr("presses");
+    case Cue::move: return TwoHandsTexts::tr("lifts");
     default: break;
   }
   return other_works ? TwoHandsTexts::tr("at rest", "the other hand works")
@@ -147,6 +148,7 @@ void add_two_hands(const PatientFacts& facts, PatientPicture& picture) {
       both.left_of_sum = left_N / all_N;
   }
   say_act(facts, picture);
+  if (hands.tray) add_tray(facts, picture);
 }
 
 bool add_two_hands_between(const PatientFacts& facts, PatientPicture& picture) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "gui/picture/tray_picture.hpp"
 #include "hand/hands.hpp"
 
 namespace isograsp::gui {
@@ -38,6 +39,7 @@ struct TwoHandsPicture {
   std::string sum_name;    ///< "Together"
   /// Of the height of `sum`, what the left hand gives; nothing: the single forces are not shown.
   std::optional<double> left_of_sum;
+  std::optional<TrayPicture> tray;  ///< that both lift, in place of bars; nothing: there is none
   bool operator==(const TwoHandsPicture&) const = default;
 };
 

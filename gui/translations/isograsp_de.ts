@@ -1789,6 +1789,46 @@
         <source>Relax both hands</source>
         <translation>Beide Hände entspannen</translation>
     </message>
+    <message>
+        <source>Press the ends together</source>
+        <translation>Drücken Sie die Enden zusammen</translation>
+    </message>
+    <message>
+        <source>It slides: press more firmly</source>
+        <translation>Es rutscht: fester drücken</translation>
+    </message>
+    <message>
+        <source>Then lift it with both hands</source>
+        <translation>Dann heben Sie es mit beiden Händen</translation>
+    </message>
+    <message>
+        <source>Lift it with both hands</source>
+        <translation>Heben Sie es mit beiden Händen</translation>
+    </message>
+    <message>
+        <source>The left end is too low</source>
+        <translation>Das linke Ende ist zu tief</translation>
+    </message>
+    <message>
+        <source>The right end is too low</source>
+        <translation>Das rechte Ende ist zu tief</translation>
+    </message>
+    <message>
+        <source>Level, into the band</source>
+        <translation>Waagerecht, in das Band</translation>
+    </message>
+    <message>
+        <source>It slipped: let both hands rest</source>
+        <translation>Es ist gerutscht: Lassen Sie beide Hände ruhen</translation>
+    </message>
+    <message>
+        <source>You may lift it again in a moment</source>
+        <translation>Gleich dürfen Sie es wieder heben</translation>
+    </message>
+    <message>
+        <source>lifts</source>
+        <translation>hebt</translation>
+    </message>
 </context>
 <context>
     <name>Posture</name>

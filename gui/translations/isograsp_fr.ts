@@ -1789,6 +1789,46 @@
         <source>Relax both hands</source>
         <translation>Détendez les deux mains</translation>
     </message>
+    <message>
+        <source>Press the ends together</source>
+        <translation>Serrez les deux bouts</translation>
+    </message>
+    <message>
+        <source>It slides: press more firmly</source>
+        <translation>Il glisse : serrez plus fort</translation>
+    </message>
+    <message>
+        <source>Then lift it with both hands</source>
+        <translation>Puis soulevez-le des deux mains</translation>
+    </message>
+    <message>
+        <source>Lift it with both hands</source>
+        <translation>Soulevez-le des deux mains</translation>
+    </message>
+    <message>
+        <source>The left end is too low</source>
+        <translation>Le bout gauche est trop bas</translation>
+    </message>
+    <message>
+        <source>The right end is too low</source>
+        <translation>Le bout droit est trop bas</translation>
+    </message>
+    <message>
+        <source>Level, into the band</source>
+        <translation>À l&apos;horizontale, dans la bande</translation>
+    </message>
+    <message>
+        <source>It slipped: let both hands rest</source>
+        <translation>Il a glissé : laissez reposer les deux mains</translation>
+    </message>
+    <message>
+        <source>You may lift it again in a moment</source>
+        <translation>Vous pourrez bientôt le soulever à nouveau</translation>
+    </message>
+    <message>
+        <source>lifts</source>
+        <translation>soulève</translation>
+    </message>
 </context>
 <context>
     <name>Posture</name>

@@ -52,7 +52,8 @@ Result<LoadedTrial> load_trial(storage::SessionStore& store, const storage::Sess
     return loaded;
   }
   if (TwoHandsReplay::is_of_two_hands(loaded.replay)) {
-    loaded.two_hands = std::make_shared<const TwoHandsReplay>(loaded.replay);
+    loaded.two_hands =
+        std::make_shared<const TwoHandsReplay>(loaded.replay, trial.scene_text, loaded.task.get());
     return loaded;
   }
   if (!trial.scene_text.empty())

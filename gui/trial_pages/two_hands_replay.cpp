@@ -30,7 +30,14 @@ bool TwoHandsReplay::is_of_two_hands(const TrialReplay& replay) noexcept {
   return replay.signals().has(columns::hand_cue.left);
 }
 
-TwoHandsReplay::TwoHandsReplay(const TrialReplay& replay) {
+TwoHandsReplay::TwoHandsReplay(const TrialReplay& replay, const std::string& scene,
+                               const tasks::TaskSpec* task) {
+  if (!scene.empty() && replay.signals().has(columns::hand_contact.left))
+    if (auto read = bimanual::parse_hands_scene(scene, "")) scene_ = *std::move(read);
+  if (task != nullptr) {
+    band_ = task->tolerance().value_or(tasks::PoseTolerance());
+    lifts_ = task->repetitions();
+  }
   const Signals& signals = replay.signals();
   for (const Hand hand : kBothHands)
     of_[hand] = {
@@ -77,6 +84,41 @@ tasks::TwoHandsView TwoHandsReplay::asked_at(const Signals& signals, std::size_t
   return view;
 }
 
+session::LiftedView TwoHandsReplay::lifted_at(const Signals& signals, std::size_t row) const {
+  const auto stored = [&](const Column& column) {
+    return known(value_at(signals, signals.find(column), row)).value_or(0.0);
+  };
+  session::LiftedView seen;
+  seen.size_m = scene_->object.size_m;
+  for (std::size_t a = 0; a < 3; ++a)
+    seen.object.X_WO.p[static_cast<Eigen::Index>(a)] = stored(columns::actual_position[a]);
+  seen.object.angle_rad = stored(columns::actual_angle_rad);
+  seen.object.X_WO.q = Quat(Eigen::AngleAxisd(seen.object.angle_rad, Vec3::UnitZ()));
+  for (std::size_t side = 0; side < kBothHands.size(); ++side) {
+    const Hand hand = kBothHands[side];
+    const auto& contacts = scene_->contacts[side].contacts;
+    if (!contacts.empty()) seen.of[hand].end_O = contacts.front().p_OC;
+    seen.of[hand].touches = stored(columns::hand_contact[hand]) > 0.0;
+    seen.of[hand].slips = stored(columns::hand_slip[hand]) > 0.0;
+  }
+  return seen;
+}
+
+tasks::LiftView TwoHandsReplay::lift_at(const Signals& signals, std::size_t row) const {
+  const auto stored = [&](const Column& column, std::size_t at) {
+    return known(value_at(signals, signals.find(column), at));
+  };
+  tasks::LiftView asked;
+  asked.band = band_;
+  asked.on_rest = stored(columns::on_rest, row).value_or(0.0) > 0.0;
+  const auto target_y_m = stored(columns::target_position[1], row);
+  asked.target_shown = target_y_m.has_value();
+  asked.X_WT.p.y() = target_y_m.value_or(0.0);
+  asked.rest_X_WO.p.y() = stored(columns::actual_position[1], 0).value_or(0.0);
+  asked.fetched = asked.target_shown && asked.on_rest;
+  return asked;
+}
+
 session::TwoPlatformsSnapshot TwoHandsReplay::at(const TrialReplay& replay,
                                                  const ReplayState& state) const {
   session::TwoPlatformsSnapshot now;
@@ -93,6 +135,12 @@ session::TwoPlatformsSnapshot TwoHandsReplay::at(const TrialReplay& replay,
   if (state.quality == SampleQuality::missing) {
     asked.sum_shown = false;
     for (const Hand hand : kBothHands) asked.of[hand].force_shown = false;
+  }
+  if (scene_) {
+    now.lifted = lifted_at(signals, row);
+    asked.lift = lift_at(signals, row);
+    now.task.targets_reached = state.targets_reached;
+    now.task.target_count = lifts_;
   }
   now.special.special = asked;
   return now;

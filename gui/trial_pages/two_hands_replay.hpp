@@ -4,19 +4,24 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <string>
 
+#include "bimanual/read_hands.hpp"
 #include "gui/picture/target_preview.hpp"
 #include "gui/trial_pages/recorded_values.hpp"
 #include "gui/trial_pages/trial_replay.hpp"
 #include "session/two_platforms/two_platforms_snapshot.hpp"
+#include "tasks/task_spec.hpp"
 
 namespace isograsp::gui {
 
 class TwoHandsReplay {
  public:
   [[nodiscard]] static bool is_of_two_hands(const TrialReplay& replay) noexcept;
-  /// @pre is_of_two_hands(replay)
-  explicit TwoHandsReplay(const TrialReplay& replay);
+  /// `scene`: the text of that of the trial; empty: it has no object. `task`: null if it is not
+  /// known. @pre is_of_two_hands(replay)
+  TwoHandsReplay(const TrialReplay& replay, const std::string& scene, const tasks::TaskSpec* task);
 
   /// What was asked at most, and of which hand in which part: bars stand as they stood live.
   [[nodiscard]] const std::shared_ptr<const TargetPreview>& preview() const noexcept {
@@ -34,7 +39,14 @@ class TwoHandsReplay {
   [[nodiscard]] tasks::TwoHandsView asked_at(const Signals& signals, std::size_t row) const;
   void look_ahead(const Signals& signals);
 
+  /// The object that both lift, and what was asked of it. @pre scene_
+  [[nodiscard]] session::LiftedView lifted_at(const Signals& signals, std::size_t row) const;
+  [[nodiscard]] tasks::LiftView lift_at(const Signals& signals, std::size_t row) const;
+
   OfHands<HandPlaces> of_;
+  std::optional<bimanual::HandsScene> scene_;  ///< nothing: the trial has no object
+  tasks::PoseTolerance band_;
+  int lifts_ = 0;
   Place target_sum_N_, sum_shown_, segment_, cue_;
   std::shared_ptr<const TargetPreview> preview_;
 };

@@ -33,7 +33,7 @@ struct OfHands {
   [[nodiscard]] constexpr const T& operator[](Hand hand) const noexcept {
     return hand == Hand::left ? left : right;
   }
-  friend constexpr bool operator==(const OfHands&, const OfHands&) = default;
+  friend bool operator==(const OfHands&, const OfHands&) = default;
 };
 
 }  // namespace isograsp

@@ -201,7 +201,8 @@ TEST(HandsScene, OfTheLibraryMoveUnderTwoWeakHands) {
     constexpr double kWeak_N = 3.0;
     for (int k = 0; k < 300; ++k)
       pressed.move(pressed.grasp(pushed(scene, {kWeak_N, 2, 0}, {-kWeak_N, 2, 0}), state), state);
-    EXPECT_GT((state.object.X_WO.p - start).norm(), 0.02) << file;
+    constexpr double kOffRest_m = 0.01;  // of a tray on springs this is a newton
+    EXPECT_GT((state.object.X_WO.p - start).norm(), kOffRest_m) << file;
   }
 }
 

@@ -18,6 +18,12 @@ class CarriedObject {
 
   [[nodiscard]] const ObjectState& state() const noexcept { return state_; }
 
+  /// It stands here, at rest, in no hand. Real-time safe.
+  void put(const Pose& X_WO) noexcept {
+    state_ = plan_.at_rest(X_WO);
+    held_ = false;
+  }
+
   /// From one row to the next: hands and grasp as they are in the first of them.
   void move(const std::array<Vec3, kSides>& p_W, const GraspOfHands& grasp, double hold_s);
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bimanual/grasp_of_hands.hpp"
 
-#include <algorithm>
-
 #include "bimanual/clip.hpp"
 
 namespace isograsp::bimanual {
@@ -18,11 +16,12 @@ bool GraspOfHands::see(const std::array<Vec3, kSides>& p_W,
     return holds_ = false;
   }
   squeeze_N_ = {push_W_N[0].dot(line) / apart_m, -push_W_N[1].dot(line) / apart_m};
-  const double least_N = std::min(squeeze_N_[0], squeeze_N_[1]);
-  if (holds_)
-    return holds_ =
-               least_N > kLetGo * rule_.force_on_N && apart_m - chord_m_ <= kOpened * rule_.reach_m;
-  if (!(least_N > rule_.force_on_N)) return false;
+  const auto both_above = [&](double share) {
+    return squeeze_N_[0] > share * rule_.force_on_N[0] &&
+           squeeze_N_[1] > share * rule_.force_on_N[1];
+  };
+  if (holds_) return holds_ = both_above(kLetGo) && apart_m - chord_m_ <= kOpened * rule_.reach_m;
+  if (!both_above(1.0)) return false;
   const std::array<Vec3, kSides> p_O{X_WO.q.conjugate() * (p_W[0] - X_WO.p),
                                      X_WO.q.conjugate() * (p_W[1] - X_WO.p)};
   const auto part = clip(shape_, size_m_, p_O[0], p_O[1]);

@@ -19,6 +19,9 @@ class GraspOfHands {
   bool see(const std::array<Vec3, kSides>& p_W, const std::array<Vec3, kSides>& push_W_N,
            const Pose& X_WO) noexcept;
 
+  /// It is in no hand, whatever they squeeze.
+  void let_go() noexcept { holds_ = false; }
+
   [[nodiscard]] bool holds() const noexcept { return holds_; }
   /// Push of each hand towards the other [N]; below 0: away from it.
   [[nodiscard]] const std::array<double, kSides>& squeeze_N() const noexcept { return squeeze_N_; }

@@ -47,7 +47,8 @@ struct HandsSpec {
 
 /// When two hands hold the object.
 struct GraspDetection {
-  double force_on_N = 1.0;      ///< both squeeze more; half of it lets go
+  /// Each hand squeezes more than its own; half of it lets go.
+  std::array<double, kSides> force_on_N{1.0, 1.0};
   double reach_m = 0.01;        ///< from a hand to the object
   double least_chord_m = 0.03;  ///< of the line of the hands in the object
 };

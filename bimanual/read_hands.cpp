@@ -82,7 +82,7 @@ HandsSpec read_hands(TomlReader& table) {
 
 GraspDetection read_detection(TomlReader& table) {
   GraspDetection rule;
-  rule.force_on_N = read_positive(table, "force_on_N", std::nullopt);
+  rule.force_on_N.fill(read_positive(table, "force_on_N", std::nullopt));
   rule.reach_m = read_positive(table, "reach_m", std::nullopt);
   rule.least_chord_m = read_positive(table, "least_chord_m", std::nullopt);
   return rule;

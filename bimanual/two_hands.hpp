@@ -31,10 +31,10 @@ struct HandsView {
 
 /// Where everything is in one row.
 struct HandsState {
-  std::array<Vec3, kSides> p_W{};       ///< of the hands
-  std::array<Vec3, kSides> bubble_W{};  ///< middles of the bubbles
+  std::array<Vec3, kSides> p_W{Vec3::Zero(), Vec3::Zero()};       ///< of the hands
+  std::array<Vec3, kSides> bubble_W{Vec3::Zero(), Vec3::Zero()};  ///< middles of the bubbles
   std::array<double, kSides> excess{};
-  std::array<Vec3, kSides> push_W_N{};  ///< world axes
+  std::array<Vec3, kSides> push_W_N{Vec3::Zero(), Vec3::Zero()};  ///< world axes
   HandsView view;
 };
 
@@ -56,12 +56,13 @@ class TwoHands {
 
   HandsSpec spec_;
   HandsState state_;
-  std::array<Vec3, kSides> before_plane_W_;  ///< of the hands, before the plane kept them apart
-  std::array<Vec3, kSides> offset_W_{};
+  std::array<Vec3, kSides> before_plane_W_{
+      Vec3::Zero(), Vec3::Zero()};  ///< of the hands, before the plane kept them apart
+  std::array<Vec3, kSides> offset_W_{Vec3::Zero(), Vec3::Zero()};
   std::array<bool, kSides> clutched_{};
   Vec3 line_W_ = Vec3::UnitX();  ///< horizontal, from left to right
   double least_distance_m_;
-  Vec3 start_middle_W_;
+  Vec3 start_middle_W_ = Vec3::Zero();
 };
 
 }  // namespace isograsp::bimanual

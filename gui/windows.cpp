@@ -2,6 +2,7 @@
 #include "gui/windows.hpp"
 
 #include <QApplication>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QScreen>
 #include <QTimer>
@@ -27,6 +28,27 @@ void carry_typed(const QWidget& from, const QWidget& to) {
   }
 }
 
+/// The pedal of hands that are points on the screen: it is held, whichever window has the keys.
+class ClutchPedal final : public QObject {
+ public:
+  explicit ClutchPedal(SessionPresenter& presenter) : presenter_(presenter) {
+    qApp->installEventFilter(this);
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    const bool pressed = event->type() == QEvent::KeyPress;
+    if (!pressed && event->type() != QEvent::KeyRelease) return false;
+    const auto& key = *static_cast<QKeyEvent*>(event);
+    if (key.key() != Qt::Key_F6) return QObject::eventFilter(watched, event);
+    if (!key.isAutoRepeat()) presenter_.trials().hold_clutch(pressed);
+    return true;
+  }
+
+ private:
+  SessionPresenter& presenter_;
+};
+
 }  // namespace
 
 Windows::Windows(const GuiConfig& config)
@@ -37,7 +59,8 @@ Windows::Windows(const GuiConfig& config)
       person_file_(clinic_),
       backups_(config.database),
       look_only_(config.look_only),
-      presenter_(config, clinic_, person_file_, settings_) {
+      presenter_(config, clinic_, person_file_, settings_),
+      clutch_pedal_(std::make_unique<ClutchPedal>(presenter_)) {
   speak(applied_.language);
   dress(*qApp, applied_.font_percent);
   make_therapist();

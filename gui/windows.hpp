@@ -57,6 +57,7 @@ class Windows {
   BackupWork backups_;
   bool look_only_;  ///< another program works with the file
   SessionPresenter presenter_;
+  std::unique_ptr<QObject> clutch_pedal_;
   std::unique_ptr<TherapistWindow> therapist_;
   std::unique_ptr<PatientWindow> patient_;
 };

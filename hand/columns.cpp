@@ -63,7 +63,9 @@ const Column* find(std::string_view name) {
       hand_resting_force_N, hand_maximum_force_N, sum_force_N, target_sum_force_N, sum_force_shown,
       affected_hand, platforms_coupled, skew_s, hands_finger_force, hands_finger_torque,
       hands_finger_flags, hand_push, hand_squeeze_N, hand_contact, hand_slip, hand_utilisation,
-      hand_end, on_rest, object_strength, hands_raw_force, hands_raw_torque, lateness_s, compute_s);
+      hand_end, on_rest, object_strength, hand_point, hand_bubble, hand_excess, hand_at_edge_N,
+      hand_on_N, both_hold, joint_control, clutch_held, left_share, hands_raw_force,
+      hands_raw_torque, lateness_s, compute_s);
   return kAll.find(name);
 }
 

@@ -91,11 +91,32 @@ struct ShownTray {
   double band_rad = 0.0;  ///< to either side of level
   bool fetched = false;   ///< it was dropped and is brought back
 };
+/// A hand that is a point on the screen, in its bubble.
+struct ShownPoint {
+  Vec3 p_W = Vec3::Zero();
+  Vec3 bubble_W = Vec3::Zero();  ///< its middle
+  bool beyond = false;           ///< pressed beyond its edge, the bubble moves
+};
+/// An object that both hands, as points, take and carry. World axes.
+struct ShownCarry {
+  Vec3 size_m = Vec3::Zero();
+  Pose X_WO;
+  Vec3 v_WO_W = Vec3::Zero();       ///< [m/s]; used to draw it where it is now
+  Vec3 half_size_m = Vec3::Zero();  ///< of the bubbles
+  OfHands<ShownPoint> of;
+  bool held = false;    ///< by both hands
+  bool clutch = false;  ///< the clutch is held: the points stay
+  bool target_shown = false;
+  Pose X_WT;
+  double tolerance_m = 0.0;
+  bool fetched = false;  ///< it was dropped and is brought back
+};
 /// Of two hands at once, and of their sum.
 struct ShownHands {
   OfHands<ShownHand> of;
-  ShownHand sum;                                 ///< its cue says nothing
-  std::optional<ShownTray> tray = std::nullopt;  ///< nothing: there is no object
+  ShownHand sum;                                   ///< its cue says nothing
+  std::optional<ShownTray> tray = std::nullopt;    ///< nothing: they lift nothing
+  std::optional<ShownCarry> carry = std::nullopt;  ///< nothing: they carry nothing
 };
 
 /// One picture of the patient's screen.

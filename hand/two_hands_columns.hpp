@@ -92,6 +92,33 @@ inline constexpr OfHands<OfAxes> hand_end{
     along("left_end_", "_m", "Position of the object's left end along %1"_text, "world", "object"),
     along("right_end_", "_m", "Position of the object's right end along %1"_text, "world",
           "object")};
+// Hands that are points, and their bubbles.
+inline constexpr OfHands<OfAxes> hand_point{
+    along("left_", "_m", "Place of the left hand on the screen along %1"_text, "world", "hand"),
+    along("right_", "_m", "Place of the right hand on the screen along %1"_text, "world", "hand")};
+inline constexpr OfHands<OfAxes> hand_bubble{
+    along("left_bubble_", "_m", "Middle of the left hand's bubble along %1"_text, "world", "hand"),
+    along("right_bubble_", "_m", "Middle of the right hand's bubble along %1"_text, "world",
+          "hand")};
+inline constexpr OfHands<Column> hand_excess{
+    plain("left_excess",
+          "Left hand beyond the edge of its bubble, over the force at the edge"_text),
+    plain("right_excess",
+          "Right hand beyond the edge of its bubble, over the force at the edge"_text)};
+inline constexpr OfHands<Column> hand_at_edge_N{
+    plain("left_force_at_edge_N", "Push that brings the left hand to the edge of its bubble"_text),
+    plain("right_force_at_edge_N",
+          "Push that brings the right hand to the edge of its bubble"_text)};
+inline constexpr OfHands<Column> hand_on_N{
+    plain("left_force_on_N", "Squeeze of the left hand above which it holds"_text),
+    plain("right_force_on_N", "Squeeze of the right hand above which it holds"_text)};
+inline constexpr Column both_hold = plain("grasp", "1: both hands hold the object"_text);
+inline constexpr Column joint_control = plain("joint", "1: the bubbles move as one"_text);
+inline constexpr Column clutch_held =
+    plain("clutch", "1: the clutch is held: hands stay and their bubbles come along"_text);
+inline constexpr Column left_share =
+    plain("left_share",
+          "Weight of the left hand while the bubbles move as one; the right one: the rest"_text);
 inline constexpr Column on_rest =
     plain("on_rest", "1: the hands do nothing to the object: it stands where it began"_text);
 inline constexpr Column object_strength = plain(

@@ -225,6 +225,10 @@ void let_go(Session& session) {
   (void)session.parts_->send({.kind = Command::Kind::let_go});
 }
 
+void hold_clutch(Session& session, bool held) {
+  (void)session.parts_->send({.kind = Command::Kind::clutch, .held = held});
+}
+
 void platforms_checked(Session& session, std::optional<bool> coupled) noexcept {
   session.parts_->known.two_hands.coupled = coupled;
 }

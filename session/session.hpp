@@ -194,6 +194,7 @@ class Session {
   struct Opening;
   explicit Session(std::unique_ptr<Parts> parts);
   friend void let_go(Session& session);
+  friend void hold_clutch(Session& session, bool held);
   friend void platforms_checked(Session& session, std::optional<bool> coupled) noexcept;
   std::unique_ptr<Parts> parts_;
 };
@@ -201,6 +202,10 @@ class Session {
 /// The object on the screen is let go for the tracked hand that holds it: its placement ends, is
 /// marked helped and is no drop. Nothing happens where there is none. Owner thread.
 void let_go(Session& session);
+
+/// The pedal by which bubbles of hands that are points come along: pressed, or let go. Owner
+/// thread.
+void hold_clutch(Session& session, bool held);
 
 /// Two empty platforms were checked: whether one moves the other; nothing: the check was left out.
 /// Trials from now on have it beside their rows, and no shares where it does. Owner thread.

@@ -10,7 +10,7 @@ namespace isograsp::tasks {
 
 /// What is multiplied by how much, and what counts as success.
 struct Difficulty {
-  enum class Factor : std::uint8_t { tolerance, distance, frequency, level };
+  enum class Factor : std::uint8_t { tolerance, distance, frequency, level, affected_share };
   Factor factor = Factor::tolerance;  ///< what is multiplied
   double easiest = 1.0;               ///< by this at level 0 …
   double hardest = 1.0;               ///< … and by this at level 1

@@ -18,6 +18,7 @@
 #include "core/measure.hpp"
 #include "core/result.hpp"
 #include "tasks/aim.hpp"
+#include "tasks/carry_forces.hpp"
 #include "tasks/difficulty.hpp"
 #include "tasks/object_targets.hpp"
 #include "tasks/pace.hpp"
@@ -110,6 +111,8 @@ struct KindFacts {
   PoseTolerance (*tolerance)(const KindSpec&) = nullptr;
   /// How heavy the object of its scene is made for two hands.
   HandsLoad (*hands_load)(const KindSpec&) = nullptr;
+  /// How two hands that are points carry the object of its scene.
+  HandsCarry (*hands_carry)(const KindSpec&) = nullptr;
   /// How the target of an object moves, seen in one degree of freedom.
   std::optional<AxisCourse> (*course)(const KindSpec&, double period_s) = nullptr;
   /// Makes a task easier or harder. False: it has nothing of that sort to multiply.

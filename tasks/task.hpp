@@ -47,6 +47,8 @@ struct TaskContext {
   TwoHandsReferences two_hands = {};  ///< of a task of both hands
   /// Of the object that both lift: by so much more they raise it for a metre. Nothing: not known.
   std::optional<double> lift_N_m = std::nullopt;
+  /// So often a patient may still be asked to carry with both hands in this session.
+  int carries_left = kMostCarries;
   std::vector<OwnRange> ranges;  ///< of the links of this arm, measured in this session
   ArmScreening screening;
   std::optional<ArmPostures> arm;  ///< of a task that names postures

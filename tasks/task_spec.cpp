@@ -79,6 +79,11 @@ std::optional<HandsLoad> TaskSpec::hands_load() const {
   return kind->hands_load(kind);
 }
 
+std::optional<HandsCarry> TaskSpec::hands_carry() const {
+  if (kind->hands_carry == nullptr) return std::nullopt;
+  return kind->hands_carry(kind);
+}
+
 std::optional<PoseTolerance> TaskSpec::tolerance() const {
   if (kind->tolerance == nullptr) return std::nullopt;
   return kind->tolerance(kind);
@@ -108,7 +113,7 @@ void read_difficulty(TomlReader& reader, TaskSpec& spec) {
   TomlReader table = reader.table("difficulty");
   Difficulty difficulty;
   difficulty.factor = static_cast<Difficulty::Factor>(
-      table.choice("factor", {"tolerance", "distance", "frequency", "level"}));
+      table.choice("factor", {"tolerance", "distance", "frequency", "level", "affected_share"}));
   difficulty.easiest = read_within(table, "easiest", kLeastFactor, kMostFactor);
   difficulty.hardest = read_within(table, "hardest", kLeastFactor, kMostFactor);
   difficulty.start = read_within(table, "start", 0.0, 1.0, difficulty.start);

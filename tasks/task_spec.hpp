@@ -48,6 +48,8 @@ struct TaskSpec {
   [[nodiscard]] std::optional<PoseTolerance> tolerance() const;
   /// How heavy the object is made for two hands; nothing: it is as the scene says.
   [[nodiscard]] std::optional<HandsLoad> hands_load() const;
+  /// How two hands that are points carry its object; nothing: they do not.
+  [[nodiscard]] std::optional<HandsCarry> hands_carry() const;
   /// How its target moves, seen in one degree of freedom; nothing: it does not.
   [[nodiscard]] std::optional<AxisCourse> course(double period_s) const;
   /// Efforts that a task asks for: presses, cues, holds, targets, cycles of a periodic target; 1

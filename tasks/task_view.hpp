@@ -57,8 +57,8 @@ struct HandInput {
 /// Of a task of two hands, each on a platform of its own.
 struct TwoHandsInput {
   OfHands<FingerWrenches> wrench_C;     ///< zeroed, contact frames
-  const ObjectState* object = nullptr;  ///< that both lift; null: there is none
-  OfHands<bool> touches{};              ///< it is in this hand
+  const ObjectState* object = nullptr;  ///< that both move; null: there is none
+  OfHands<bool> touches{};              ///< it is in this hand; carried: in both or in none
   OfHands<bool> slips{};                ///< … at the limit of friction
 };
 /// std::monostate: of an apparatus whose tasks need to know nothing but the time.
@@ -127,23 +127,24 @@ struct HandAsked {
   bool force_shown = false;                       ///< the patient sees it
   std::optional<double> target_N = std::nullopt;  ///< nothing: none of its own
 };
-/// Of an object that two hands lift together. A turn is about world z, above 0 where the right end
+/// Of an object that two hands move together. A turn is about world z, above 0 where the right end
 /// is higher.
-struct LiftView {
+struct MovedView {
   bool target_shown = false;
   Pose X_WT;
-  PoseTolerance band;  ///< in height and in turn
+  PoseTolerance band;  ///< lifted: in height and in turn
   int drops = 0;
   bool on_rest = true;  ///< the hands do nothing to it: from this frame it stays, at rest, at
   Pose rest_X_WO;
   bool fetched = false;  ///< it was dropped and is brought back
+  bool home = false;     ///< hands that are points begin anew, too
 };
 /// Of a task of two hands.
 struct TwoHandsView {
   OfHands<HandAsked> of;
-  bool sum_shown = false;                       ///< the patient sees the force of both together
-  std::optional<double> target_sum_N;           ///< asked of both together; nothing: nothing is
-  std::optional<LiftView> lift = std::nullopt;  ///< nothing: there is no object
+  bool sum_shown = false;                         ///< the patient sees the force of both together
+  std::optional<double> target_sum_N;             ///< asked of both together; nothing: nothing is
+  std::optional<MovedView> moved = std::nullopt;  ///< nothing: there is no object
   TwoHandsReferences references;
 };
 

@@ -55,6 +55,7 @@ struct VirtualPatient::Mind {
   Motor motor;
   ForceSkill following;
   std::optional<ObjectSkill> object;
+  std::optional<CarrySkill> carrying;
 
   Instruction seen;                ///< perceived
   double seen_s = 0.0;             ///< when
@@ -97,6 +98,7 @@ void VirtualPatient::Mind::perceive(const Stimulus& picture, double t_s) noexcep
   if (const Instruction next = instruction(picture); next != seen) notice(next, t_s);
   if (seen.cue == Cue::follow) following.perceive(picture, t_s);
   if (object) object->perceive(picture, t_s);
+  if (carrying) carrying->perceive(picture, t_s);
 }
 
 void VirtualPatient::Mind::notice(const Instruction& next, double t_s) noexcept {
@@ -139,6 +141,7 @@ void VirtualPatient::Mind::act(double t_s) noexcept {
     case Cue::follow: held_channel.reset(); break;
     case Cue::move:
       if (object) object->begin(t_s);
+      if (carrying) carrying->begin(t_s);
       break;
     case Cue::hand_out:
     case Cue::relax:
@@ -189,7 +192,9 @@ void VirtualPatient::Mind::want(double t_s, double dt_s) noexcept {
       wanted = following.wanted(t_s);
       remember(dt_s);
       break;
-    case Cue::move: wanted = object ? object->wanted(t_s) : nothing(); break;
+    case Cue::move:
+      wanted = object ? object->wanted(t_s) : carrying ? carrying->wanted(t_s) : nothing();
+      break;
   }
 }
 
@@ -228,6 +233,15 @@ int VirtualPatient::pain_stops() const noexcept {
 void VirtualPatient::meet_object(const std::optional<Scene>& scene) {
   mind_->object.reset();
   if (scene) mind_->object.emplace(mind_->traits, *scene);
+}
+
+void VirtualPatient::meet_point(const std::optional<CarryKnown>& known) noexcept {
+  mind_->carrying.reset();
+  if (known) mind_->carrying.emplace(mind_->traits, *known);
+}
+
+const CarrySkill* VirtualPatient::carrying() const noexcept {
+  return mind_->carrying ? &*mind_->carrying : nullptr;
 }
 
 void VirtualPatient::see(const Stimulus& stimulus) noexcept {

@@ -10,6 +10,7 @@
 
 #include "grasp_model/scene.hpp"
 #include "hand/stimulus.hpp"
+#include "virtual_patient/carry_skill.hpp"
 #include "virtual_patient/traits.hpp"
 
 namespace isograsp::virtual_patient {
@@ -22,6 +23,11 @@ class VirtualPatient final : public FingerSource {
   /// The object now on the screen (already turned for the hand), or none: the person learns how it
   /// answers. Not real-time safe; between trials only.
   void meet_object(const std::optional<Scene>& scene);
+
+  /// The hand is one of two that are points and carry an object, or none. Between trials only.
+  void meet_point(const std::optional<CarryKnown>& known) noexcept;
+  /// What it makes of that; null: it is none.
+  [[nodiscard]] const CarrySkill* carrying() const noexcept;
 
   void see(const Stimulus& stimulus) noexcept override;
   [[nodiscard]] FingerWrenches press(double t_s) noexcept override;

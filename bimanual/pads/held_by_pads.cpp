@@ -97,6 +97,18 @@ HeldByPads::HeldByPads(const Scene& scene, std::vector<PadSpec> pads, double ste
   }
 }
 
+void HeldByPads::begin(const std::array<Pose, kSides>& proxies) noexcept {
+  proxies_ = proxies;
+  for (std::size_t pad = 0; pad < pads_.size(); ++pad)
+    X_WP_[pad] = wanted(proxies[index_of(pads_[pad].hand)], pads_[pad]);
+}
+
+void HeldByPads::put(const Pose& X_WO) noexcept {
+  X_WO_ = X_WO;
+  v_W_.setZero();
+  w_W_.setZero();
+}
+
 HeldByPads::Body HeldByPads::object_body(const Vec3& gravity_m_s2) const {
   const Mat3 R = X_WO_.q.toRotationMatrix();
   Body body;

@@ -37,6 +37,11 @@ class HeldByPads {
   /// One step; the proxies at its end. Does not allocate but in the first one.
   void step(const std::array<Pose, kSides>& proxies, const Vec3& gravity_m_s2);
 
+  /// Pads stand where these proxies want them. Real-time safe.
+  void begin(const std::array<Pose, kSides>& proxies) noexcept;
+  /// The object stands here, at rest. Real-time safe.
+  void put(const Pose& X_WO) noexcept;
+
   [[nodiscard]] const Pose& X_WO() const noexcept { return X_WO_; }
   [[nodiscard]] const std::vector<Pose>& X_WP() const noexcept { return X_WP_; }
   /// Of each pad on the object in the last step, about the pad's own origin.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "gui/look/look.hpp"
+#include "gui/words/texts.hpp"
 
 namespace isograsp::gui {
 

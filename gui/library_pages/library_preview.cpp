@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "bimanual/read_hands.hpp"
 #include "core/files.hpp"
 #include "grasp_model/scene.hpp"
 #include "gui/library_pages/scene_preview.hpp"
@@ -136,10 +137,18 @@ LibraryPreview of_task(const tasks::TaskSpec& spec, const std::string& shipped) 
   if (spec.scene().empty()) return preview;
   const auto path = session::find_in_library(shipped, "scenes", spec.scene(), spec.file);
   const auto text = path ? read_text(*path) : Result<std::string>(path.error());
-  const auto scene = text ? parse_scene(*text, *path) : Result<Scene>(text.error());
-  if (!scene) return preview;
-  facts.push_back({PreviewTexts::tr("Object"), QString::fromStdString(scene->name)});
-  preview.sketch = sketch_of(*scene);
+  if (!text) return preview;
+  if (bimanual::has_hands(*text)) {
+    const LibraryPreview object = preview_of_scene(*text, *path);
+    if (!object.sketch) return preview;
+    facts.push_back({PreviewTexts::tr("Object"), object.title});
+    preview.sketch = object.sketch;
+  } else {
+    const auto scene = parse_scene(*text, *path);
+    if (!scene) return preview;
+    facts.push_back({PreviewTexts::tr("Object"), QString::fromStdString(scene->name)});
+    preview.sketch = sketch_of(*scene);
+  }
   add_targets(spec, *preview.sketch);
   if (const auto count =
           std::count_if(preview.sketch->targets.begin(), preview.sketch->targets.end(),

@@ -75,8 +75,7 @@ void draw_tray(QPainter& painter, const View& view, const TrayPicture& tray) {
   painter.restore();
 }
 
-/// Round and striped is the left hand, square and plain the right one. Off the tray it stands
-/// beside its end.
+/// Off the tray it stands beside its end.
 void draw_lifting_hand(QPainter& painter, const View& view, const TrayPicture& tray, Hand hand) {
   const TrayPicture::End& end = tray.of[hand];
   const double side = hand == Hand::left ? -1.0 : 1.0;
@@ -84,16 +83,7 @@ void draw_lifting_hand(QPainter& painter, const View& view, const TrayPicture& t
   const double away = end.touches ? 0.0 : 0.6 * size;
   const QPointF at = view.at(end.p_W) + QPointF(side * (0.5 * size + away), 0.0);
   const QRectF box(at.x() - size / 2, at.y() - size / 2, size, size);
-  painter.setPen(QPen(hand == Hand::left ? kLeftHand : kRightHand, 4));
-  if (hand == Hand::left) {
-    painter.setBrush(Qt::white);
-    painter.drawEllipse(box);
-    painter.setBrush(QBrush(kLeftHand, Qt::BDiagPattern));
-    painter.drawEllipse(box);
-  } else {
-    painter.setBrush(kRightHand);
-    painter.drawRect(box);
-  }
+  paint_hand_mark(painter, box, hand);
   if (!end.slips) return;
   // Two strokes beside the hand: it slides up along the end.
   painter.setPen(QPen(kInk, 5, Qt::SolidLine, Qt::RoundCap));
@@ -104,6 +94,19 @@ void draw_lifting_hand(QPainter& painter, const View& view, const TrayPicture& t
 }
 
 }  // namespace
+
+void paint_hand_mark(QPainter& painter, const QRectF& box, Hand hand) {
+  painter.setPen(QPen(hand == Hand::left ? kLeftHand : kRightHand, 4));
+  if (hand == Hand::left) {
+    painter.setBrush(Qt::white);
+    painter.drawEllipse(box);
+    painter.setBrush(QBrush(kLeftHand, Qt::BDiagPattern));
+    painter.drawEllipse(box);
+  } else {
+    painter.setBrush(kRightHand);
+    painter.drawRect(box);
+  }
+}
 
 void paint_tray(QPainter& painter, const QRectF& area, const PatientPicture& picture) {
   painter.setRenderHint(QPainter::Antialiasing);

@@ -133,8 +133,12 @@ void draw_sum(QPainter& painter, const QRectF& area, const QRectF& column,
 void paint_two_hands(QPainter& painter, const QRectF& area, const PatientPicture& picture) {
   painter.setRenderHint(QPainter::Antialiasing);
   const TwoHandsPicture& both = *picture.two_hands;
-  if (both.tray) {
-    paint_tray(painter, part(area, 0.16, 0.25, 0.84, 0.90), picture);
+  if (both.tray || both.carry) {
+    const QRectF middle = part(area, 0.16, 0.25, 0.84, 0.90);
+    if (both.tray)
+      paint_tray(painter, middle, picture);
+    else
+      paint_carry(painter, middle, picture);
     paint_target_marks(painter,
                        {area.left() + 0.06 * area.height(), area.top() + 0.27 * area.height()},
                        0.017 * area.height(), picture);

@@ -47,12 +47,15 @@ Bar bar_of(const ShownHand& shown, double most_N) {
   return bar;
 }
 
-QString act_of(Cue cue, bool other_works) {
+QString act_of(const ShownHands& hands, Hand hand) {
+  const Cue cue = hands.of[hand].cue;
+  const bool other_works = presses(hands.of[other_than(hand)].cue);
   switch (cue) {
     case Cue::squeeze: return TwoHandsTexts::tr("squeezes");
     case Cue::follow:
     case Cue::press: return TwoHandsTexts::tr("presses");
-    case Cue::move: return TwoHandsTexts::tr("lifts");
+    case Cue::move: return hands.carry ? TwoHandsTexts::tr("carries") : TwoHandsTexts::tr("lifts");
+    case Cue::let_go: return TwoHandsTexts::tr("lets go");
     default: break;
   }
   return other_works ? TwoHandsTexts::tr("at rest", "the other hand works")
@@ -133,7 +136,7 @@ void add_two_hands(const PatientFacts& facts, PatientPicture& picture) {
     side.name =
         (hand == Hand::left ? TwoHandsTexts::tr("Left hand") : TwoHandsTexts::tr("Right hand"))
             .toStdString();
-    side.act = act_of(shown.cue, presses(hands.of[other_than(hand)].cue)).toStdString();
+    side.act = act_of(hands, hand).toStdString();
     // Beside a sum all stand on its scale: what the hands give adds up to what is asked.
     const double own_most_N =
         shown.target_shown ? std::max(range.most_N[hand], shown.target_force_N) : 0.0;
@@ -149,6 +152,7 @@ void add_two_hands(const PatientFacts& facts, PatientPicture& picture) {
   }
   say_act(facts, picture);
   if (hands.tray) add_tray(facts, picture);
+  if (hands.carry) add_carry(facts, picture);
 }
 
 bool add_two_hands_between(const PatientFacts& facts, PatientPicture& picture) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "gui/picture/carry_picture.hpp"
 #include "gui/picture/tray_picture.hpp"
 #include "hand/hands.hpp"
 
@@ -39,7 +40,9 @@ struct TwoHandsPicture {
   std::string sum_name;    ///< "Together"
   /// Of the height of `sum`, what the left hand gives; nothing: the single forces are not shown.
   std::optional<double> left_of_sum;
-  std::optional<TrayPicture> tray;  ///< that both lift, in place of bars; nothing: there is none
+  // In place of bars; nothing: there is none.
+  std::optional<TrayPicture> tray;    ///< that both lift
+  std::optional<CarryPicture> carry;  ///< a box that both carry
   bool operator==(const TwoHandsPicture&) const = default;
 };
 

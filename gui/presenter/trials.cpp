@@ -118,6 +118,10 @@ void Trials::let_go() {
   if (flow_.view().may_let_go) session::let_go(*state_.open->session);
 }
 
+void Trials::hold_clutch(bool held) {
+  if (state_.open) session::hold_clutch(*state_.open->session, held);
+}
+
 void Trials::start_pause_resume() {
   if (test_stop()) return;
   const FlowView& view = flow_.view();

@@ -21,10 +21,11 @@ class Trials {
   void start();
   void pause();
   void resume();
-  void stop();                ///< before both hands go in: its test
-  void let_go();              ///< the object on the screen, for the hand: helped, no drop
-  void start_pause_resume();  ///< what the one large key does, by the state
-  void repeat();              ///< the last trial once more, beside the protocol
+  void stop();                  ///< before both hands go in: its test
+  void let_go();                ///< the object on the screen, for the hand: helped, no drop
+  void hold_clutch(bool held);  ///< of hands that are points: pressed, or let go
+  void start_pause_resume();    ///< what the one large key does, by the state
+  void repeat();                ///< the last trial once more, beside the protocol
 
   /// Pauses of the protocol end, and what begins by itself begins. Once a poll.
   void follow_time();

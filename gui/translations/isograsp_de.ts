@@ -1829,6 +1829,46 @@
         <source>lifts</source>
         <translation>hebt</translation>
     </message>
+    <message>
+        <source>Carry it to the outline</source>
+        <translation>Tragen Sie sie in den Umriss</translation>
+    </message>
+    <message>
+        <source>It was let go: let both hands rest</source>
+        <translation>Sie wurde losgelassen: beide Hände ruhen lassen</translation>
+    </message>
+    <message>
+        <source>Keep pressing from both sides</source>
+        <translation>Drücken Sie weiter von beiden Seiten</translation>
+    </message>
+    <message>
+        <source>One from each side</source>
+        <translation>Von jeder Seite eine</translation>
+    </message>
+    <message>
+        <source>Press both hands against the box</source>
+        <translation>Drücken Sie beide Hände gegen die Kiste</translation>
+    </message>
+    <message>
+        <source>Relax them, then leave the pedal</source>
+        <translation>Entspannen Sie sie, dann lassen Sie das Pedal los</translation>
+    </message>
+    <message>
+        <source>You may take it again in a moment</source>
+        <translation>Gleich dürfen Sie sie wieder nehmen</translation>
+    </message>
+    <message>
+        <source>Your hands stay where they are</source>
+        <translation>Ihre Hände bleiben, wo sie sind</translation>
+    </message>
+    <message>
+        <source>carries</source>
+        <translation>trägt</translation>
+    </message>
+    <message>
+        <source>lets go</source>
+        <translation>lässt los</translation>
+    </message>
 </context>
 <context>
     <name>Posture</name>

@@ -1829,6 +1829,46 @@
         <source>lifts</source>
         <translation>soulève</translation>
     </message>
+    <message>
+        <source>Carry it to the outline</source>
+        <translation>Portez-la dans le contour</translation>
+    </message>
+    <message>
+        <source>It was let go: let both hands rest</source>
+        <translation>Elle a été lâchée : laissez reposer les deux mains</translation>
+    </message>
+    <message>
+        <source>Keep pressing from both sides</source>
+        <translation>Continuez d&apos;appuyer des deux côtés</translation>
+    </message>
+    <message>
+        <source>One from each side</source>
+        <translation>Une de chaque côté</translation>
+    </message>
+    <message>
+        <source>Press both hands against the box</source>
+        <translation>Appuyez les deux mains contre la boîte</translation>
+    </message>
+    <message>
+        <source>Relax them, then leave the pedal</source>
+        <translation>Relâchez-les, puis quittez la pédale</translation>
+    </message>
+    <message>
+        <source>You may take it again in a moment</source>
+        <translation>Vous pourrez la reprendre dans un instant</translation>
+    </message>
+    <message>
+        <source>Your hands stay where they are</source>
+        <translation>Vos mains restent où elles sont</translation>
+    </message>
+    <message>
+        <source>carries</source>
+        <translation>porte</translation>
+    </message>
+    <message>
+        <source>lets go</source>
+        <translation>lâche</translation>
+    </message>
 </context>
 <context>
     <name>Posture</name>

@@ -32,7 +32,8 @@ bool TwoHandsReplay::is_of_two_hands(const TrialReplay& replay) noexcept {
 
 TwoHandsReplay::TwoHandsReplay(const TrialReplay& replay, const std::string& scene,
                                const tasks::TaskSpec* task) {
-  if (!scene.empty() && replay.signals().has(columns::hand_contact.left))
+  carries_ = replay.signals().has(columns::both_hold);
+  if (!scene.empty() && (carries_ || replay.signals().has(columns::hand_contact.left)))
     if (auto read = bimanual::parse_hands_scene(scene, "")) scene_ = *std::move(read);
   if (task != nullptr) {
     band_ = task->tolerance().value_or(tasks::PoseTolerance());
@@ -104,16 +105,38 @@ session::LiftedView TwoHandsReplay::lifted_at(const Signals& signals, std::size_
   return seen;
 }
 
-tasks::LiftView TwoHandsReplay::lift_at(const Signals& signals, std::size_t row) const {
+session::CarriedView TwoHandsReplay::carried_at(const Signals& signals, std::size_t row) const {
+  const auto stored = [&](const Column& column) {
+    return known(value_at(signals, signals.find(column), row)).value_or(0.0);
+  };
+  const auto place = [&](const columns::OfAxes& axes) {
+    return Vec3(stored(axes[0]), stored(axes[1]), stored(axes[2]));
+  };
+  session::CarriedView seen;
+  seen.size_m = scene_->object.size_m;
+  seen.half_size_m = scene_->hands.half_size_m;
+  seen.object.X_WO.p = place(columns::actual_position);
+  seen.object.angle_rad = stored(columns::actual_angle_rad);
+  seen.object.X_WO.q = Quat(Eigen::AngleAxisd(seen.object.angle_rad, Vec3::UnitZ()));
+  for (const Hand hand : kBothHands)
+    seen.of[hand] = {place(columns::hand_point[hand]), place(columns::hand_bubble[hand]),
+                     stored(columns::hand_excess[hand]), stored(columns::hand_squeeze_N[hand])};
+  seen.held = stored(columns::both_hold) > 0.0;
+  seen.clutch = stored(columns::clutch_held) > 0.0;
+  return seen;
+}
+
+tasks::MovedView TwoHandsReplay::moved_at(const Signals& signals, std::size_t row) const {
   const auto stored = [&](const Column& column, std::size_t at) {
     return known(value_at(signals, signals.find(column), at));
   };
-  tasks::LiftView asked;
+  tasks::MovedView asked;
   asked.band = band_;
   asked.on_rest = stored(columns::on_rest, row).value_or(0.0) > 0.0;
   const auto target_y_m = stored(columns::target_position[1], row);
   asked.target_shown = target_y_m.has_value();
-  asked.X_WT.p.y() = target_y_m.value_or(0.0);
+  asked.X_WT.p =
+      Vec3(stored(columns::target_position[0], row).value_or(0.0), target_y_m.value_or(0.0), 0.0);
   asked.rest_X_WO.p.y() = stored(columns::actual_position[1], 0).value_or(0.0);
   asked.fetched = asked.target_shown && asked.on_rest;
   return asked;
@@ -137,8 +160,11 @@ session::TwoPlatformsSnapshot TwoHandsReplay::at(const TrialReplay& replay,
     for (const Hand hand : kBothHands) asked.of[hand].force_shown = false;
   }
   if (scene_) {
-    now.lifted = lifted_at(signals, row);
-    asked.lift = lift_at(signals, row);
+    if (carries_)
+      now.carried = carried_at(signals, row);
+    else
+      now.lifted = lifted_at(signals, row);
+    asked.moved = moved_at(signals, row);
     now.task.targets_reached = state.targets_reached;
     now.task.target_count = lifts_;
   }

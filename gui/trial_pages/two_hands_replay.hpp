@@ -41,12 +41,14 @@ class TwoHandsReplay {
 
   /// The object that both lift, and what was asked of it. @pre scene_
   [[nodiscard]] session::LiftedView lifted_at(const Signals& signals, std::size_t row) const;
-  [[nodiscard]] tasks::LiftView lift_at(const Signals& signals, std::size_t row) const;
+  [[nodiscard]] session::CarriedView carried_at(const Signals& signals, std::size_t row) const;
+  [[nodiscard]] tasks::MovedView moved_at(const Signals& signals, std::size_t row) const;
 
   OfHands<HandPlaces> of_;
   std::optional<bimanual::HandsScene> scene_;  ///< nothing: the trial has no object
   tasks::PoseTolerance band_;
   int lifts_ = 0;
+  bool carries_ = false;  ///< the object is carried, not lifted
   Place target_sum_N_, sum_shown_, segment_, cue_;
   std::shared_ptr<const TargetPreview> preview_;
 };

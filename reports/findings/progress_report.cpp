@@ -33,6 +33,16 @@ bool is_early(const std::string& onset_date, const std::string& session_date) {
   return *session < end;
 }
 
+/// What both hands do to an object that they move together.
+bool is_of_both_hands(std::string_view name) {
+  if (name == columns::both_hold) return true;
+  for (const Hand hand : kBothHands)
+    if (name == columns::hand_end[hand][1] || name == columns::hand_push[hand][1] ||
+        name == columns::hand_squeeze_N[hand])
+      return true;
+  return false;
+}
+
 /// A trial with the signals that are drawn; of tasks with targets for an object the finger forces,
 /// too.
 DrawnTrial drawn(storage::SessionStore& store, const StoredTrial& trial,
@@ -40,6 +50,7 @@ DrawnTrial drawn(storage::SessionStore& store, const StoredTrial& trial,
   DrawnTrial drawn{trial.session, trial.trial.number, {}, trial.measures, {}};
   const bool fingers = section.spec && section.spec->kind->path_drawn;
   const bool arm = section.spec && section.spec->apparatus() == kArm;
+  const bool both = section.spec && section.spec->apparatus() == kTwoPlatforms;
   const auto is_finger_force = [](const std::string& name) {
     for (const auto& axes : columns::finger_force)
       if (std::find(axes.begin(), axes.end(), name) != axes.end()) return true;
@@ -56,7 +67,7 @@ DrawnTrial drawn(storage::SessionStore& store, const StoredTrial& trial,
                        name.starts_with(columns::kActual) || (fingers && is_finger_force(name)) ||
                        (arm && !name.starts_with(columns::kMarker)) ||
                        name == columns::hand_grip.left || name == columns::hand_grip.right ||
-                       name == columns::sum_force_N;
+                       name == columns::sum_force_N || (both && is_of_both_hands(name));
     if (!shown || drawn.curves.has(name)) continue;
     const auto column = signals->column(name);
     drawn.curves.add_column(name, {column.begin(), column.end()});

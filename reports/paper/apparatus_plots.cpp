@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Trials that one platform does not measure, against time. Of an arm: how far the object is from
-// its reference, and how far each link has turned, or the one angle that the task is about. Of both
-// hands: the force of each over what was asked of it, or of both together.
+// its reference, and how far each link has turned, or the one angle that the task is about.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,7 +8,6 @@
 #include <span>
 
 #include "hand/arm_columns.hpp"
-#include "hand/two_hands_columns.hpp"
 #include "kinematics/attitude.hpp"
 #include "reports/paper/plot_tools.hpp"
 #include "reports/paper/plots.hpp"
@@ -75,7 +73,6 @@ class ArmPlot {
       : view(size, unit, language),
         section_(section),
         curves_(trial.curves),
-        size_(size),
         x_(times(trial.curves)) {}
 
   void draw_angle(const std::string& column) {
@@ -112,17 +109,7 @@ class ArmPlot {
 
  private:
   QCPAxisRect& axes(int place, int of, Words title) {
-    constexpr double kGap = 7.0;
-    const double each = (size_.height() - kAboveWithKey - kBelow - kGap * (of - 1)) / of;
-    QCPAxisRect& rect = view.add_axes(
-        {kLeft, kAboveWithKey + place * (each + kGap), size_.width() - kLeft - kRight, each});
-    rect.axis(QCPAxis::atBottom)->setRange(0.0, x_.back());
-    rect.axis(QCPAxis::atLeft)->setLabel(view.said(title));
-    if (of > 1) rect.axis(QCPAxis::atLeft)->ticker()->setTickCount(3);
-    const bool last = place == of - 1;
-    rect.axis(QCPAxis::atBottom)->setTickLabels(last);
-    if (last) rect.axis(QCPAxis::atBottom)->setLabel(view.said("time [s]"_text));
-    return rect;
+    return stacked_axes(view, place, of, x_.back(), title);
   }
 
   void add(QCPAxisRect& rect, const Values& values, const QPen& pen) {
@@ -160,7 +147,6 @@ class ArmPlot {
 
   const TaskSection& section_;
   const Signals& curves_;
-  QSizeF size_;
   Values x_;
 };
 
@@ -179,76 +165,6 @@ PlotView arm_plot(const TaskSection& section, const DrawnTrial& trial, QSizeF si
   else
     plot.draw_matching();
   return std::move(plot.view);
-}
-
-namespace {
-
-struct HandsLine {
-  Column force;
-  Column target;
-  Words name;
-  QColor color;
-};
-
-/// The rows that are seen of a column, as they are drawn.
-struct SeenRows {
-  Values t_s;
-  Values force_N;
-};
-
-SeenRows seen_rows(const Signals& curves, std::string_view column, int bins) {
-  const auto t_s = curves.column(columns::t_s);
-  Values elapsed_s;
-  for (const double t : t_s) elapsed_s.push_back(t - t_s.front());
-  const Values force_N = scaled(curves.column(column), 1.0);
-  const auto rows = visible_rows(force_N, bins);
-  return {picked(elapsed_s, rows), picked(force_N, rows)};
-}
-
-}  // namespace
-
-bool is_of_two_hands(const TaskSection& section) {
-  return section.spec && section.spec->apparatus() == kTwoPlatforms;
-}
-
-PlotView hands_plot(const DrawnTrial& trial, QSizeF size, double unit, const Language& language) {
-  PlotView view(size, unit, language);
-  const Signals& curves = trial.curves;
-  const std::array<HandsLine, 3> lines{
-      {{columns::sum_force_N, columns::target_sum_force_N, "both hands"_text, Palette::ink()},
-       {columns::hand_grip.left, columns::target_hand_grip.left, "left hand"_text,
-        Palette::of(Hand::left)},
-       {columns::hand_grip.right, columns::target_hand_grip.right, "right hand"_text,
-        Palette::of(Hand::right)}}};
-  QCPAxisRect& rect = view.add_axes({kLeft, kAboveWithKey, size.width() - kLeft - kRight,
-                                     size.height() - kAboveWithKey - kBelow});
-  const int bins = static_cast<int>(rect.minimumSize().width() / view.px(kFinest));
-  Values all_N{0.0};
-  double end_s = 0.0;
-  bool asked = false;
-  for (const HandsLine& line : lines) {
-    const bool has_target = any_number(curves.column(line.target));
-    // Their sum is of interest where it has a target.
-    if (&line == &lines[0] && !has_target) continue;
-    const SeenRows force = seen_rows(curves, line.force, bins);
-    if (has_target) {
-      const SeenRows target = seen_rows(curves, line.target, bins);
-      add_line(rect, target.t_s, target.force_N,
-               dashed(Palette::target(), view.px(0.9), {4.0, 2.5}));
-      all_N += target.force_N;
-      asked = true;
-    }
-    add_line(rect, force.t_s, force.force_N, QPen(line.color, view.px(1.1)));
-    view.explain(PlotView::Mark::line, line.color, line.name);
-    all_N += force.force_N;
-    if (!force.t_s.isEmpty()) end_s = std::max(end_s, force.t_s.back());
-  }
-  if (asked) view.explain(PlotView::Mark::dashed, Palette::target(), "target"_text);
-  rect.axis(QCPAxis::atBottom)->setRange(0.0, end_s);
-  rect.axis(QCPAxis::atLeft)->setRange(range_of({&all_N}));
-  rect.axis(QCPAxis::atLeft)->setLabel(view.said("grip force [N]"_text));
-  rect.axis(QCPAxis::atBottom)->setLabel(view.said("time [s]"_text));
-  return view;
 }
 
 }  // namespace isograsp::reports

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reports/paper/html_panel.hpp"
-
 #include "reports/paper/html_parts.hpp"
 
 namespace isograsp::reports {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "reports/paper/page_furniture.hpp"
+#include "reports/paper/panel.hpp"
 #include "reports/paper/plots.hpp"
 
 namespace isograsp::reports {
@@ -23,6 +24,7 @@ inline constexpr double kHtmlUnit = 4.0 / 3.0;  ///< CSS pixels per point
 [[nodiscard]] QString html_table(const QString& caption, const std::vector<QString>& heads,
                                  const std::vector<std::vector<QString>>& rows,
                                  std::size_t first_number = static_cast<std::size_t>(-1));
+[[nodiscard]] QString html_section(const Panel& panel);
 /// A plot as an <svg> element with role, title and description. Its unit is kHtmlUnit.
 [[nodiscard]] QString svg_of(PlotView view, const std::string& title,
                              const std::string& description);

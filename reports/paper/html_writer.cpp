@@ -8,7 +8,6 @@
 #include "hand/arm_columns.hpp"
 #include "hand/two_hands_columns.hpp"
 #include "reports/findings/report_text.hpp"
-#include "reports/paper/html_panel.hpp"
 #include "reports/paper/html_parts.hpp"
 #include "reports/paper/panel.hpp"
 #include "reports/paper/plots.hpp"
@@ -120,11 +119,12 @@ struct HtmlReport::Parts {
     }
     out_ += "<div class=\"trial\"><figure>\n";
     const bool path = has_path(section);
-    out_ +=
-        svg_of(overlay_plot(section, *section.last,
-                            path ? QSizeF(420, 230) : QSizeF(640, is_of_arm(section) ? 230 : 160),
-                            kHtmlUnit, say_.language()),
-               title, say_(describe_overlay(section)));
+    out_ += svg_of(
+        overlay_plot(section, *section.last,
+                     path ? QSizeF(420, 230)
+                          : QSizeF(640, is_of_arm(section) || moves_object(section) ? 230 : 160),
+                     kHtmlUnit, say_.language()),
+        title, say_(describe_overlay(section)));
     out_ += "</figure>\n";
     if (path)
       out_ += "<figure>\n" +
@@ -168,12 +168,26 @@ struct HtmlReport::Parts {
       Words head;
     };
     const std::vector<Shown> wanted =
-        path ? std::vector<Shown>{{columns::target_position[0], "Target x"_text},
-                                  {columns::actual_position[0], "Patient x"_text},
-                                  {columns::target_position[1], "Target y"_text},
-                                  {columns::actual_position[1], "Patient y"_text},
-                                  {columns::target_angle_rad, "Target angle"_text},
-                                  {columns::actual_angle_rad, "Patient angle"_text}}
+        is_of_two_hands(section) && lifts_object(curves)
+            ? std::vector<Shown>{{columns::target_position[1], "Target height"_text},
+                                 {columns::hand_end.left[1], "Left end"_text},
+                                 {columns::hand_end.right[1], "Right end"_text},
+                                 {columns::actual_angle_rad, "Tilt"_text},
+                                 {columns::hand_push.left[1], "Push up, left hand"_text},
+                                 {columns::hand_push.right[1], "Push up, right hand"_text}}
+        : is_of_two_hands(section) && carries_object(curves)
+            ? std::vector<Shown>{{columns::target_position[0], "Target x"_text},
+                                 {columns::actual_position[0], "Object x"_text},
+                                 {columns::target_position[1], "Target y"_text},
+                                 {columns::actual_position[1], "Object y"_text},
+                                 {columns::hand_squeeze_N.left, "Squeeze, left hand"_text},
+                                 {columns::hand_squeeze_N.right, "Squeeze, right hand"_text}}
+        : path ? std::vector<Shown>{{columns::target_position[0], "Target x"_text},
+                                    {columns::actual_position[0], "Patient x"_text},
+                                    {columns::target_position[1], "Target y"_text},
+                                    {columns::actual_position[1], "Patient y"_text},
+                                    {columns::target_angle_rad, "Target angle"_text},
+                                    {columns::actual_angle_rad, "Patient angle"_text}}
         : is_of_arm(section)
             ? std::vector<Shown>{{columns::link_angle[0][2], "Forearm"_text},
                                  {columns::link_angle[1][0], "Wrist, first angle"_text},

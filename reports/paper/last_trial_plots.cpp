@@ -135,7 +135,7 @@ const Measure* find_measure(const DrawnTrial& last, std::string_view name) {
 PlotView overlay_plot(const TaskSection& section, const DrawnTrial& trial, QSizeF size, double unit,
                       const Language& language) {
   if (is_of_arm(section)) return arm_plot(section, trial, size, unit, language);
-  if (is_of_two_hands(section)) return hands_plot(trial, size, unit, language);
+  if (is_of_two_hands(section)) return hands_plot(section, trial, size, unit, language);
   PlotView view(size, unit, language);
   const Signals& curves = trial.curves;
   const double width = size.width() - kLeft - kRight;
@@ -235,6 +235,10 @@ Text describe_overlay(const TaskSection& section) {
                ? "Angle of the link over time in the last trial."_text
                : "How far the object was from its reference over time in the last trial, and how "
                  "far forearm, wrist and fingers had turned."_text;
+  if (is_of_two_hands(section) && section.last && lifts_object(section.last->curves))
+    return "Height of both ends of the object over time in the last trial, its tilt, and the push up of each hand."_text;
+  if (is_of_two_hands(section) && section.last && carries_object(section.last->curves))
+    return "Place of the object over time in the last trial, with its targets, and the squeeze of each hand."_text;
   if (is_of_two_hands(section))
     return "Grip force of each hand over time in the last trial, with what was asked of them."_text;
   if (!has_path(section))

@@ -25,7 +25,7 @@ constexpr double kPoseHeight = 180.0;
 
 /// Drawn over the whole width, three axes below each other.
 bool has_three_axes(const TaskSection& section) {
-  return is_of_arm(section) && section.spec->kind->curve == nullptr;
+  return moves_object(section) || (is_of_arm(section) && section.spec->kind->curve == nullptr);
 }
 constexpr double kFingersHeight = 170.0;
 constexpr double kExtremeHeight = 100.0;

@@ -49,6 +49,21 @@ QCPGraph& add_line(QCPAxisRect& rect, const Values& x, const Values& y, const QP
   return *graph;
 }
 
+QCPAxisRect& stacked_axes(PlotView& view, int place, int of, double end_s, Words title) {
+  constexpr double kGap = 7.0;
+  const QSizeF size = view.size();
+  const double each = (size.height() - kAboveWithKey - kBelow - kGap * (of - 1)) / of;
+  QCPAxisRect& rect = view.add_axes(
+      {kLeft, kAboveWithKey + place * (each + kGap), size.width() - kLeft - kRight, each});
+  rect.axis(QCPAxis::atBottom)->setRange(0.0, end_s);
+  rect.axis(QCPAxis::atLeft)->setLabel(view.said(title));
+  if (of > 1) rect.axis(QCPAxis::atLeft)->ticker()->setTickCount(3);
+  const bool last = place == of - 1;
+  rect.axis(QCPAxis::atBottom)->setTickLabels(last);
+  if (last) rect.axis(QCPAxis::atBottom)->setLabel(view.said("time [s]"_text));
+  return rect;
+}
+
 QPen dashed(const QColor& color, double width, const QVector<qreal>& pattern) {
   QPen pen(color, width);
   pen.setDashPattern(pattern);

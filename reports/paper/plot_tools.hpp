@@ -28,6 +28,9 @@ using Values = QVector<double>;
 
 QCPGraph& add_line(QCPAxisRect& rect, const Values& x, const Values& y, const QPen& pen);
 
+/// One of `of` pairs of axes below each other over one time, which ends at `end_s`; 0 is the top.
+QCPAxisRect& stacked_axes(PlotView& view, int place, int of, double end_s, Words title);
+
 [[nodiscard]] QPen dashed(const QColor& color, double width, const QVector<qreal>& pattern);
 
 /// The line of a link of an arm, told apart without its colour, and its word in the key.

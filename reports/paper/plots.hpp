@@ -92,10 +92,17 @@ struct ErrorBand {
 
 /// True if the task is one of both hands, each on a platform.
 [[nodiscard]] bool is_of_two_hands(const TaskSection& section);
-/// The force of each hand, and of both where the sum has a target, against time. overlay_plot()
-/// draws it for such a section. @pre is_of_two_hands(section)
-[[nodiscard]] PlotView hands_plot(const DrawnTrial& trial, QSizeF size, double unit,
-                                  const Language& language = kEnglish);
+/// The force of each hand, and of both where the sum has a target, against time. Where both lift
+/// an object: the height of its ends, its tilt, and how much of it each hand raises; where they
+/// carry one: its place and their squeeze. overlay_plot() draws it for such a section.
+/// @pre is_of_two_hands(section)
+[[nodiscard]] PlotView hands_plot(const TaskSection& section, const DrawnTrial& trial, QSizeF size,
+                                  double unit, const Language& language = kEnglish);
+/// True if both hands moved an object together in the last session.
+[[nodiscard]] bool moves_object(const TaskSection& section);
+/// True if both hands lift an object in this trial, or carry one.
+[[nodiscard]] bool lifts_object(const Signals& curves);
+[[nodiscard]] bool carries_object(const Signals& curves);
 
 /// Fewer movements are drawn without a band.
 inline constexpr int kLeastBandMovements = 3;

@@ -35,6 +35,7 @@ bool is_hand(StudyHand wanted, std::optional<Hand> hand, const storage::PatientP
   switch (wanted) {
     case StudyHand::right: return hand == Hand::right;
     case StudyHand::left: return hand == Hand::left;
+    case StudyHand::both: return !hand;
     case StudyHand::affected:
     case StudyHand::other: break;
   }

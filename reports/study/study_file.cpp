@@ -46,8 +46,8 @@ TrialSelection read_selection(TomlReader& table) {
   if (table.has("task")) selection.task = table.text("task");
   if (table.has("channel")) selection.channel = table.text("channel");
   if (table.has("hand"))
-    selection.hand =
-        static_cast<StudyHand>(table.choice("hand", {"right", "left", "affected", "other"}));
+    selection.hand = static_cast<StudyHand>(
+        table.choice("hand", {"right", "left", "affected", "other", "both"}));
   if (table.has("sessions")) {
     constexpr std::size_t kMostSessions = 1000;
     selection.sessions = whole_numbers(table, "sessions", 1, kMostSessions, 1);

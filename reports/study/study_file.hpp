@@ -13,7 +13,7 @@
 
 namespace isograsp::reports {
 
-enum class StudyHand : std::uint8_t { right, left, affected, other };
+enum class StudyHand : std::uint8_t { right, left, affected, other, both };
 
 /// Which trials of a person; what is absent does not select.
 struct TrialSelection {

@@ -41,6 +41,7 @@ Words study_hand_words(StudyHand hand) {
     case StudyHand::right: return "right"_text;
     case StudyHand::left: return "left"_text;
     case StudyHand::affected: return "affected"_text;
+    case StudyHand::both: return "both"_text;
     case StudyHand::other: break;
   }
   return "other than affected"_text;

@@ -40,11 +40,12 @@ struct RecordItem {
 };
 
 struct Command {
-  enum class Kind : std::uint8_t { prepare, begin, pause, resume, let_go, abort };
+  enum class Kind : std::uint8_t { prepare, begin, pause, resume, let_go, clutch, abort };
   Kind kind = Kind::pause;
   TrialSetup* setup = nullptr;         ///< begin
   Preparation* preparation = nullptr;  ///< prepare
   Words reason = ""_text;              ///< abort
+  bool held = false;                   ///< clutch
 };
 
 class Acquisition {

@@ -6,17 +6,11 @@
 
 #include "core/files.hpp"
 #include "session/library/library.hpp"
+#include "session/two_platforms/side_of.hpp"
 
 namespace isograsp::session {
 
 namespace {
-
-bimanual::Side side_of(Hand hand) noexcept {
-  return hand == Hand::left ? bimanual::Side::left : bimanual::Side::right;
-}
-std::size_t place_of(Hand hand) noexcept {
-  return bimanual::index_of(side_of(hand));
-}
 
 /// The one contact of a whole hand stands in the place of the first finger.
 constexpr std::size_t kWhole = 0;

@@ -160,6 +160,14 @@ Result<std::unique_ptr<TrialSetup>> TwoPlatforms::make_trial(const tasks::TaskSp
     trial->record.scene_text = object->text();
     trial->object = *std::move(object);
   }
+  if (const auto carry = spec.hands_carry()) {
+    if (auto fits = fits_session(*carry, context); !fits) return fits.error();
+    auto carried = CarriedByHands::read(spec, context, library_);
+    if (!carried) return carried.error();
+    known.carries_left = tasks::kMostCarries - carries_begun_;
+    trial->record.scene_text = carried->text();
+    trial->carried = *std::move(carried);
+  }
   auto task = tasks::make_task(spec, known);
   if (!task) return task.error();
   trial->spec = spec;
@@ -177,6 +185,17 @@ Result<std::unique_ptr<TrialSetup>> TwoPlatforms::make_trial(const tasks::TaskSp
     storage::set_value(trial->record.references, columns::hand_resting_force_N[hand], of.resting_N);
   }
   return std::unique_ptr<TrialSetup>(std::move(trial));
+}
+
+/// A patient carries in one way: the next one would be learned from the first.
+Result<void> TwoPlatforms::fits_session(const tasks::HandsCarry& carry,
+                                        const tasks::TaskContext& context) const {
+  if (!context.two_hands.affected || !carried_as_) return {};
+  if (carry.clutch == carried_as_->clutch && carry.pinch == carried_as_->pinch) return {};
+  return refused(
+             "a patient has carried in another way in this session"_text,
+             "keep to one technique in a session; several are a study of healthy volunteers"_text)
+      .about("technique");
 }
 
 bool TwoPlatforms::next() noexcept {
@@ -230,8 +249,15 @@ void TwoPlatforms::begin(TrialSetup& setup) noexcept {
   trial_ = &static_cast<TwoPlatformsTrial&>(setup);
   now_.special = {};
   now_.lifted.reset();
+  now_.carried.reset();
+  clutch_held_ = false;
   auto& object = trial_->object;
   if (object) object->begin(now_.lifted.emplace());
+  if (trial_->carried) {
+    trial_->carried->begin(now_.carried.emplace());
+    carries_begun_ += trial_->spec.repetitions();
+    carried_as_ = trial_->spec.hands_carry();
+  }
   if (pair_ == nullptr) return;
   // A simulated person gets to know the object before the trial.
   OfHands<std::optional<Scene>> halves;
@@ -240,6 +266,11 @@ void TwoPlatforms::begin(TrialSetup& setup) noexcept {
       halves[hand] =
           object->half_of(hand, sides_[hand].info().platform, trial_->spec.hands_load()->height_m);
   pair_->meet_object(halves);
+  OfHands<std::optional<virtual_patient::CarryKnown>> known;
+  if (trial_->carried)
+    for (const Hand hand : kBothHands)
+      known[hand] = trial_->carried->known_to(hand, sides_[hand].info().platform);
+  pair_->meet_points(known);
 }
 
 void TwoPlatforms::end(TrialSetup&) noexcept {
@@ -260,6 +291,14 @@ void TwoPlatforms::step() noexcept {
       input.slips[hand] = lifted.of[hand].slips;
     }
   }
+  if (trial_->carried) {
+    CarriedView& carried = *now_.carried;
+    if (pair_ != nullptr) clutch_held_ = pair_->holds_clutch();
+    if (now_.of.left.push_W && now_.of.right.push_W)
+      trial_->carried->press({*now_.of.left.push_W, *now_.of.right.push_W}, clutch_held_, carried);
+    input.object = &carried.object;
+    input.touches = {carried.held, carried.held};
+  }
   const tasks::TaskView view = trial_->task->step(input);
   now_.task = view;
   now_.special = view;
@@ -270,8 +309,14 @@ void TwoPlatforms::write(const RowFrame& frame, TrialRow& row) noexcept {
 }
 
 void TwoPlatforms::move() noexcept {
+  const auto& asked = now_.special.two_hands().moved;
+  if (trial_->carried) {
+    if (asked && asked->on_rest)
+      trial_->carried->stay(asked->rest_X_WO, asked->home, *now_.carried);
+    else
+      trial_->carried->move(*now_.carried);
+  }
   if (!trial_->object) return;
-  const auto& asked = now_.special.two_hands().lift;
   if (asked && asked->on_rest)
     trial_->object->stay(asked->rest_X_WO, *now_.lifted);
   else

@@ -45,6 +45,9 @@ class TwoPlatforms final : public Apparatus {
   void stop() noexcept override;
 
  private:
+  [[nodiscard]] Result<void> fits_session(const tasks::HandsCarry& carry,
+                                          const tasks::TaskContext& context) const;
+
   [[nodiscard]] std::span<const PreparationStep> steps() const noexcept override;
   void describe(storage::SessionRecord& session) const override;
   /// An outdated zero of either is refused, as on one platform.
@@ -62,6 +65,7 @@ class TwoPlatforms final : public Apparatus {
   void write(const RowFrame& frame, TrialRow& row) noexcept override;
   void move() noexcept override;
   void publish() noexcept override;
+  void hold_clutch(bool held) noexcept override { clutch_held_ = held; }
   void show() noexcept override;
 
   void begin(Preparation& preparation) noexcept override;
@@ -80,6 +84,9 @@ class TwoPlatforms final : public Apparatus {
   ApparatusInfo info_;
   Latest<TwoPlatformsSnapshot> snapshots_;
   TwoPlatformsSnapshot now_;  ///< the state that is published
+  bool clutch_held_ = false;
+  int carries_begun_ = 0;                        ///< in trials of this session
+  std::optional<tasks::HandsCarry> carried_as_;  ///< likewise, how
   TwoPlatformsTrial* trial_ = nullptr;
 };
 

@@ -18,7 +18,7 @@ ShownHand shown(const tasks::HandAsked& of) noexcept {
 }
 
 /// @pre now.lifted and a task that says what is to be done with it
-ShownTray shown(const LiftedView& seen, const tasks::LiftView& asked) noexcept {
+ShownTray shown(const LiftedView& seen, const tasks::MovedView& asked) noexcept {
   ShownTray tray;
   tray.size_m = seen.size_m;
   tray.X_WO = seen.object.X_WO;
@@ -38,6 +38,24 @@ ShownTray shown(const LiftedView& seen, const tasks::LiftView& asked) noexcept {
   return tray;
 }
 
+/// @pre now.carried and a task that says what is to be done with it
+ShownCarry shown(const CarriedView& seen, const tasks::MovedView& asked) noexcept {
+  ShownCarry carry;
+  carry.size_m = seen.size_m;
+  carry.X_WO = seen.object.X_WO;
+  carry.v_WO_W = seen.object.v_WO_W;
+  carry.half_size_m = seen.half_size_m;
+  carry.held = seen.held;
+  carry.clutch = seen.clutch;
+  carry.target_shown = asked.target_shown;
+  carry.X_WT = asked.target_shown ? asked.X_WT : asked.rest_X_WO;
+  carry.tolerance_m = asked.band.position_m;
+  carry.fetched = asked.fetched;
+  for (const Hand hand : kBothHands)
+    carry.of[hand] = {seen.of[hand].p_W, seen.of[hand].bubble_W, seen.of[hand].excess > 0.0};
+  return carry;
+}
+
 }  // namespace
 
 Vec3 push_in_view(Hand hand, const Vec3& force_P) noexcept {
@@ -54,7 +72,8 @@ Stimulus screen_of(const TwoPlatformsSnapshot& now) noexcept {
   hands.sum.target_force_N = task.target_sum_N.value_or(0.0);
   hands.sum.force_shown = task.sum_shown;
   if (task.sum_shown) hands.sum.force_N = task.of.left.force_N + task.of.right.force_N;
-  if (now.lifted && task.lift) hands.tray = shown(*now.lifted, *task.lift);
+  if (now.lifted && task.moved) hands.tray = shown(*now.lifted, *task.moved);
+  if (now.carried && task.moved) hands.carry = shown(*now.carried, *task.moved);
   return screen;
 }
 

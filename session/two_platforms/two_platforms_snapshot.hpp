@@ -41,14 +41,33 @@ struct LiftedView {
   Wrench F_O_W;  ///< by both hands, about its centre of mass
 };
 
+/// A hand that is a point on the screen.
+struct CarryingHand {
+  Vec3 p_W = Vec3::Zero();
+  Vec3 bubble_W = Vec3::Zero();
+  double excess = 0.0;     ///< beyond the edge of its bubble, over the force at the edge
+  double squeeze_N = 0.0;  ///< towards the other hand, signed
+};
+/// An object that both hands, as points, take and carry.
+struct CarriedView {
+  ObjectState object;
+  Vec3 size_m = Vec3::Zero();
+  Vec3 half_size_m = Vec3::Zero();  ///< of the bubbles
+  OfHands<CarryingHand> of;
+  bool held = false;   ///< by both hands
+  bool joint = false;  ///< the bubbles move as one
+  bool clutch = false;
+};
+
 /// Copying it takes no memory from the heap. Published once per frame.
 struct TwoPlatformsSnapshot : Moment {
   OfHands<PlatformSide> of;
   /// The newest sample of the right platform is later than that of the left by so much; nothing: a
   /// frame was closed because its time was up.
   std::optional<double> skew_s;
-  tasks::SpecialView special;        ///< of the running trial's task, beside its progress
-  std::optional<LiftedView> lifted;  ///< nothing: the trial has no object
+  tasks::SpecialView special;          ///< of the running trial's task, beside its progress
+  std::optional<LiftedView> lifted;    ///< nothing: nothing is lifted in the trial
+  std::optional<CarriedView> carried;  ///< nothing: nothing is carried in the trial
 };
 
 /// Net push of one hand in the axes of the patient's view: those of the platform, which for a left

@@ -81,13 +81,13 @@ void put_hand_counts(Sink& sink, Hand hand, const FingerFrame& forces) {
 }
 
 template <class Sink>
-void put_lift_task(Sink& sink, const RowFrame& frame, const LiftedView& seen,
-                   const tasks::LiftView& asked) {
+void put_moved_task(Sink& sink, const RowFrame& frame, const ObjectState& object,
+                    const tasks::MovedView& asked) {
   const bool target = asked.target_shown;
   put_triple(sink, columns::target_position, asked.X_WT.p, target);
-  put_triple(sink, columns::actual_position, seen.object.X_WO.p, true);
+  put_triple(sink, columns::actual_position, object.X_WO.p, true);
   sink.put(columns::target_angle_rad, target ? 0.0 : kBlank);  // level
-  sink.put(columns::actual_angle_rad, seen.object.angle_rad);
+  sink.put(columns::actual_angle_rad, object.angle_rad);
   sink.put(columns::target_index, stored_number(frame.task.target_index));
   sink.put(columns::targets_reached, stored_number(frame.task.targets_reached));
   sink.put(columns::drops, stored_number(asked.drops));
@@ -102,13 +102,35 @@ void put_quaternion(Sink& sink, const columns::OfComponents& components, const Q
 }
 
 template <class Sink>
-void put_lifted(Sink& sink, const LiftedView& seen, const tasks::LiftView& asked, double strength) {
+void put_moved(Sink& sink, const ObjectState& object, const tasks::MovedView& asked) {
   sink.begin("object");
-  const ObjectState& object = seen.object;
   put_quaternion(sink, columns::actual_attitude, object.X_WO.q, true);
   put_quaternion(sink, columns::target_attitude, asked.X_WT.q, asked.target_shown);
   put_triple(sink, columns::object_velocity, object.v_WO_W, true);
   put_triple(sink, columns::object_angular_velocity, object.w_WO_W, true);
+}
+
+template <class Sink>
+void put_carried(Sink& sink, const CarriedView& seen, const CarrySetup& setup) {
+  for (const Hand hand : kBothHands) {
+    const CarryingHand& of = seen.of[hand];
+    put_triple(sink, columns::hand_point[hand], of.p_W, true);
+    put_triple(sink, columns::hand_bubble[hand], of.bubble_W, true);
+    sink.put(columns::hand_excess[hand], of.excess);
+    sink.put(columns::hand_squeeze_N[hand], of.squeeze_N);
+    sink.put(columns::hand_at_edge_N[hand], setup.of[hand].at_edge_N);
+    sink.put(columns::hand_on_N[hand], setup.of[hand].on_N);
+  }
+  sink.put(columns::both_hold, stored_number(seen.held));
+  sink.put(columns::joint_control, stored_number(seen.joint));
+  sink.put(columns::clutch_held, stored_number(seen.clutch));
+  sink.put(columns::left_share, setup.left_share);
+}
+
+template <class Sink>
+void put_lifted(Sink& sink, const LiftedView& seen, const tasks::MovedView& asked,
+                double strength) {
+  const ObjectState& object = seen.object;
   const bool acts = !asked.on_rest;
   put_triple(sink, columns::object_force, acts ? seen.F_O_W.force : Vec3::Zero(), true);
   put_triple(sink, columns::object_torque, acts ? seen.F_O_W.torque : Vec3::Zero(), true);
@@ -127,14 +149,18 @@ template <class Sink>
 void put_hands_row(Sink sink, const RowFrame& frame, const TwoPlatformsSnapshot& seen,
                    const TwoPlatformsTrial& trial) {
   const LiftedView lifted = seen.lifted.value_or(LiftedView());
-  const tasks::LiftView asked = seen.special.two_hands().lift.value_or(tasks::LiftView());
+  const tasks::MovedView asked = seen.special.two_hands().moved.value_or(tasks::MovedView());
   put_hands_task(sink, frame, seen, trial);
-  if (trial.object) put_lift_task(sink, frame, lifted, asked);
+  const CarriedView carried = seen.carried.value_or(CarriedView());
+  const ObjectState& object = trial.carried ? carried.object : lifted.object;
+  if (trial.object || trial.carried) put_moved_task(sink, frame, object, asked);
   sink.begin("force");
   for (const Hand hand : kBothHands) put_hand_forces(sink, hand, seen.of[hand]);
   sink.begin("raw");
   for (const Hand hand : kBothHands) put_hand_counts(sink, hand, seen.of[hand].forces);
+  if (trial.object || trial.carried) put_moved(sink, object, asked);
   if (trial.object) put_lifted(sink, lifted, asked, trial.object->strength());
+  if (trial.carried) put_carried(sink, carried, trial.carried->setup());
   put_timing(sink, frame);
   sink.put(columns::skew_s, seen.skew_s.value_or(kBlank));
 }

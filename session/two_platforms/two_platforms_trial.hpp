@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "session/acquisition/apparatus.hpp"
+#include "session/two_platforms/carried_by_hands.hpp"
 #include "session/two_platforms/lifted_object.hpp"
 #include "session/two_platforms/two_platforms_snapshot.hpp"
 #include "tasks/references.hpp"
@@ -25,8 +26,9 @@ class TwoPlatformsTrial final : public TrialSetup {
   tasks::TwoHandsReferences references;
   std::optional<double> device_delay_s;
   std::optional<double> display_delay_s;
-  std::optional<LiftedObject> object;  ///< nothing: a task of forces
-  OfHands<DeviceHealth> health;        ///< at its end
+  std::optional<LiftedObject> object;     ///< nothing: nothing is lifted
+  std::optional<CarriedByHands> carried;  ///< nothing: nothing is carried
+  OfHands<DeviceHealth> health;           ///< at its end
 };
 
 }  // namespace isograsp::session

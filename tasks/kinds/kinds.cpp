@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table of kinds of tasks: one row each. Whoever reads, runs, scores or shows a task knows its
 // kind by this row and by nothing else.
+#include <algorithm>
 #include <array>
 
 #include "tasks/kinds/arm/active_range.hpp"
@@ -29,6 +30,7 @@
 #include "tasks/kinds/two_hands/bilateral_rest.hpp"
 #include "tasks/kinds/two_hands/bilateral_tracking.hpp"
 #include "tasks/kinds/two_hands/bimanual_lift.hpp"
+#include "tasks/kinds/two_hands/bimanual_pick_place.hpp"
 #include "tasks/kinds/two_hands/mirror.hpp"
 
 namespace isograsp::tasks {
@@ -59,6 +61,7 @@ constexpr std::array kKinds{
     &BilateralMaximumSpec::kFacts,
     &BilateralTrackingSpec::kFacts,
     &BimanualLiftSpec::kFacts,
+    &BimanualPickPlaceSpec::kFacts,
     &MirrorSpec::kFacts,
     &ActiveRangeSpec::kFacts,
     &PoseMatchingSpec::kFacts,
@@ -72,6 +75,10 @@ constexpr std::array kKinds{
 
 std::span<const KindFacts* const> all_kinds() noexcept {
   return kKinds;
+}
+
+std::size_t order_of(const KindFacts& kind) noexcept {
+  return static_cast<std::size_t>(std::find(kKinds.begin(), kKinds.end(), &kind) - kKinds.begin());
 }
 
 }  // namespace isograsp::tasks

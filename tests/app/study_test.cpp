@@ -64,6 +64,56 @@ TEST(Study, OfRecordedSessionsIsWrittenInEveryForm) {
   EXPECT_EQ(group["anova"]["pairs"].size(), 1U);
 }
 
+const char* const kTechniques[] = {"clutch", "bubble", "clutch_pinch", "bubble_pinch"};
+const char* const kTechniqueTasks[] = {"Two hands, carry: clutch", "Two hands, carry: bubbles",
+                                       "Two hands, carry: clutch and pinch",
+                                       "Two hands, carry: bubbles and pinch"};
+
+TEST(Study, OfFourWaysToCarryWithBothHandsComparesThemByRanksWithinPeople) {
+  const test::TemporaryFolder folder;
+  const std::string db = folder.path("clinic.db");
+  std::string steps =
+      "format = \"isograsp-protocol-1\"\nname = \"Four ways\"\n[[step]]\nkind = "
+      "\"instrument_zero\"\n";
+  const auto step = [&steps](const std::string& task) {
+    steps += "[[step]]\nkind = \"task\"\ntask = \"" + task + ".toml\"\n";
+  };
+  step("two_hands_rest");
+  step("two_hands_maximum");
+  for (const char* how : kTechniques) step(std::string("two_hands_carry_") + how);
+  const auto protocol = folder.write("four.toml", steps);
+  std::string people;
+  for (int person = 1; person <= 4; ++person) {
+    const std::string pair = "'sim://pair?file=healthy&seed=" + std::to_string(person) + "'";
+    const std::string code = "V-" + std::to_string(person);
+    people += (person > 1 ? ", \"" : "\"") + code + "\"";
+    const auto run =
+        test::isograsp("run --fast --db " + db + " --patient " + code + " --device-left " + pair +
+                       " --device-right " + pair + " --protocol-file " + protocol);
+    ASSERT_EQ(run.status, 0) << run.err;
+  }
+  std::string text =
+      "format = \"isograsp-study-1\"\ntitle = \"Carrying\"\nmeasure = "
+      "\"restricted_mean_time\"\nchannel = \"targets\"\nhand = \"both\"\nsource = "
+      "\"simulated\"\nanalyses = [\"ranks\"]\n[[group]]\nname = \"volunteers\"\npatients = [" +
+      people + "]\n[[factor]]\nname = \"technique\"\n";
+  for (std::size_t k = 0; k < 4; ++k)
+    text += std::string("[[factor.level]]\nname = \"") + kTechniques[k] + "\"\ntask = \"" +
+            kTechniqueTasks[k] + "\"\n";
+  const auto study = folder.write("study.toml", text);
+  const std::string command = "study --db " + db + " --study " + study;
+  for (const char* name : {"study.html", "study.pdf", "study.csv"}) {
+    const auto done = test::isograsp(command + " --out " + folder.path(name));
+    ASSERT_EQ(done.status, 0) << done.err;
+  }
+  const CommandResult json = test::isograsp(command + " --json");
+  ASSERT_EQ(json.status, 0) << json.err;
+  const auto group = nlohmann::json::parse(json.out)["groups"][0];
+  EXPECT_EQ(group["n"], 4);
+  EXPECT_EQ(group["friedman"]["df"], 3) << group.dump();
+  EXPECT_EQ(group["wilcoxon"].size(), 6U) << group.dump();
+}
+
 TEST(Study, WhatCannotBeReadIsNamedAndNothingIsWritten) {
   const test::TemporaryFolder folder;
   const auto study = folder.write("study.toml", "format = \"isograsp-study-1\"\nmeasures = 1\n");

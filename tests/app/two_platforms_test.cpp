@@ -87,6 +87,69 @@ TEST(TwoPlatformsApp, APairInSoftwareGoesFromSessionToReportAndExports) {
   }
 }
 
+TEST(TwoPlatformsApp, WhatBothHandsLiftAndCarryGoesFromSessionToReportAndExports) {
+  for (const auto& [protocol, key, curves] :
+       test::every(std::vector<std::tuple<std::string, std::string, std::string>>{
+           {"two_hands_lifting", "raise_share_affected", "Push up, left hand"},
+           {"two_hands_carrying", "path_efficiency", "Squeeze, right hand"}})) {
+    const TemporaryFolder folder;
+    const std::string database = folder.path("clinic.db");
+    const auto run =
+        isograsp("run --protocol-file " + kProtocols + protocol + ".toml --db " + database +
+                 " --patient B-1 --affected left --fast" + both(kPair, kPair));
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_NE(run.out.find(key), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("least_squeeze (right)"), std::string::npos) << run.out;
+    EXPECT_EQ(isograsp("db check " + database).status, 0);
+    const auto verified = isograsp("db verify " + database);
+    EXPECT_EQ(verified.status, 0) << verified.out << verified.err;
+    for (const char* format : {"csv", "hdf5", "bids", "fhir"}) {
+      const auto exported = isograsp("export --db " + database + " --format " + format + " --out " +
+                                     folder.path(format));
+      EXPECT_EQ(exported.status, 0) << format << exported.err;
+    }
+    // The exported signals, scored again with the task of the library, give what was stored.
+    const std::string trial = folder.path("csv") + "/patient_1/session_1/trial_3_signals.csv";
+    const std::string task = std::string(ISOGRASP_SOURCE_DIR) + "/library/tasks/" +
+                             (key == "path_efficiency" ? "two_hands_carry" : "two_hands_lift") +
+                             ".toml";
+    const auto scored = isograsp("score --task " + task + " --signals " + trial);
+    EXPECT_EQ(scored.status, 0) << scored.err;
+    EXPECT_NE(scored.out.find(key), std::string::npos) << scored.out;
+    for (const char* page : {"r.pdf", "r.html"}) {
+      const auto report =
+          isograsp("report --patient B-1 --db " + database + " --out " + folder.path(page));
+      ASSERT_EQ(report.status, 0) << report.err;
+    }
+    const std::string page = test::must(read_text(folder.path("r.html")));
+    EXPECT_NE(page.find(curves), std::string::npos) << "the last trial as a table";
+    EXPECT_NE(page.find(key == "path_efficiency" ? "of 8" : "of 4"), std::string::npos) << protocol;
+  }
+}
+
+TEST(TwoPlatformsApp, APatientCarriesInOneWayAndTheStudyIsOfVolunteers) {
+  const TemporaryFolder folder;
+  const auto protocol =
+      folder.write("two.toml",
+                   "format = \"isograsp-protocol-1\"\nname = \"Two ways\"\n[[step]]\nkind = "
+                   "\"instrument_zero\"\n"
+                   "[[step]]\nkind = \"task\"\ntask = \"two_hands_rest.toml\"\n"
+                   "[[step]]\nkind = \"task\"\ntask = \"two_hands_maximum.toml\"\n"
+                   "[[step]]\nkind = \"task\"\ntask = \"two_hands_carry_bubble_pinch.toml\"\n"
+                   "[[step]]\nkind = \"task\"\ntask = \"two_hands_carry_clutch_pinch.toml\"\n");
+  const std::string healthy = "'sim://pair?file=healthy&seed=3'";
+  const auto patient = isograsp("run --protocol-file " + protocol + " --db " + folder.path("p.db") +
+                                " --patient B-1 --affected left --fast" + both(healthy, healthy));
+  EXPECT_NE((patient.out + patient.err).find("another way"), std::string::npos)
+      << patient.out << patient.err;
+  const auto volunteer =
+      isograsp("run --protocol-file " + protocol + " --db " + folder.path("v.db") +
+               " --patient B-1 --fast" + both(healthy, healthy));
+  EXPECT_EQ(volunteer.status, 0) << volunteer.err;
+  EXPECT_EQ((volunteer.out + volunteer.err).find("another way"), std::string::npos)
+      << volunteer.out << volunteer.err;
+}
+
 /// Forces that hardly move: quiet enough for a zero, and no sensor that stands still.
 std::string quiet_forces() {
   std::string text =

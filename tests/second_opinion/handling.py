@@ -221,18 +221,23 @@ def score_pose_targets(results, task, record):
     grip.add_grip(results, record, HANDLING)
 
 
-def score_pick_place(results, task, record):
-    pose = Pose(record)
-    attempts = attempts_of(record, len(task["item"]))
-    add_times(results, record, attempts, task["time_limit_s"], until_let_go=True)
-    drops = np.nan_to_num(record.column("drops"), nan=0)
-    results.add("drops", "contact", float(np.max(drops)), record.select(HANDLING, []))
+def add_carried_ways(results, record, pose, attempts, drops):
+    """path_efficiency of the ways that ended at a target, each from the last fetching on."""
     ways = []
     for a in (a for a in attempts if a.reached):
         dropped = [k for k in range(a.first + 1, a.hold + 1) if drops[k] > drops[k - 1]]
         first = (dropped[-1] if dropped else a.first) + 1
         ways.append(record.select(HANDLING, pose.names, first, a.hold + 1))
     add_efficiency(results, pose, [w for w in ways if w.samples > 1])
+
+
+def score_pick_place(results, task, record):
+    pose = Pose(record)
+    attempts = attempts_of(record, len(task["item"]))
+    add_times(results, record, attempts, task["time_limit_s"], until_let_go=True)
+    drops = np.nan_to_num(record.column("drops"), nan=0)
+    results.add("drops", "contact", float(np.max(drops)), record.select(HANDLING, []))
+    add_carried_ways(results, record, pose, attempts, drops)
     add_hold_errors(results, record, pose, attempts)
     grip.add_grip(results, record, HANDLING)
 

@@ -167,7 +167,8 @@ KINDS |= {name: getattr(arm, "score_" + name) for name in ("pose_matching", "pos
 KINDS["drinking"] = drinking.score_drinking
 KINDS |= {name: getattr(hand, "score_" + name) for name in ("hand_opening", "virtual_pick_place")}
 KINDS |= {name: getattr(two_hands, "score_" + name)
-          for name in ("bilateral_rest", "bilateral_maximum", "bilateral_tracking", "bimanual_lift", "mirror")}
+          for name in ("bilateral_rest", "bilateral_maximum", "bilateral_tracking", "bimanual_lift", "bimanual_pick_place",
+                       "mirror")}
 KINDS["recorded"] = recorded.score_recorded
 
 

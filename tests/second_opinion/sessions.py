@@ -13,10 +13,13 @@ ARM = """arm_familiarisation arm_follow arm_follow_half arm_follow_three_quarter
 arm_screw_three_quarters arm_wrist""".split()
 HAND = ["hand_opening", "virtual_place_first"]
 PAIR = """two_hands_rest two_hands_maximum two_hands_sum two_hands_each two_hands_turns two_hands_affected_works_25
-two_hands_affected_works_50 two_hands_other_works_25 two_hands_other_works_50 two_hands_lift""".split()
+two_hands_affected_works_50 two_hands_other_works_25 two_hands_other_works_50 two_hands_lift
+two_hands_carry""".split()
 NOT_RUN = {"virtual_place": "its placements are long; virtual_pick_place is compared in five other tasks",
            "virtual_place_training": "likewise",
            "grip_sine_fixed": "needs maxima of two days; force_tracking is compared in 20 other tasks",
+           **{f"two_hands_carry_{how}": "a patient carries in one way in a session; compared in two_hands_carry"
+              for how in ("bubble", "bubble_pinch", "clutch", "clutch_pinch", "training")},
            "arm_drinking": "of another rig; drinking is compared in signals made by hand"}
 ADAPTIVE = ("grip_sine_training", "two_target_training")  # their level stands in [chosen]
 
@@ -104,6 +107,9 @@ OWN_PAIR = {
     "own_pair_lift": 'kind = "bimanual_lift"\nscene = "tray_on_springs"\nlevel_fraction = 0.3\nheight_m = 0.05\n'
                      'position_tolerance_m = 0.02\nangle_tolerance_deg = 3\nlifts = 3\nhold_s = 1.3\n'
                      'time_limit_s = 4.7\nlead_in_s = 2\nrest_s = 3\nfetch_s = 1\n',
+    "own_pair_carry": 'kind = "bimanual_pick_place"\nscene = "carried_box"\nedge_fraction = 0.12\nhold_s = 0.6\n'
+                      'position_tolerance_m = 0.03\ntime_limit_s = 9\nrest_s = 1.5\nfetch_s = 1\nrepetitions = 2\n'
+                      '[[target]]\nto_m = [0.07, 0, 0]\n[[target]]\nto_m = [0, 0.2, 0]\n',
     "own_pair_quick": 'kind = "bilateral_maximum"\nlead_in_s = 0.5\nsqueeze_s = 2\nrest_s = 3\nwindow_s = 0.333\n',
 }
 OWN |= OWN_PAIR

@@ -26,6 +26,7 @@ DEFAULTS = {
     "bilateral_maximum": {"window_s": 0.5},
     "bilateral_tracking": {},
     "bimanual_lift": {"lifts": 4, "time_limit_s": 20},
+    "bimanual_pick_place": {"repetitions": 1, "time_limit_s": 30},
     "mirror": {},
     "active_range": {"lead_in_s": 2, "duration_s": 15, "repetitions": 3},
     "pose_matching": {"repeats": 1, "way_percent": 100, "scale": "none", "position_tolerance_m": 0.015,

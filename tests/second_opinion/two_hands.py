@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 
-from handling import HANDLING, add_times, attempts_of
+from handling import HANDLING, Pose, add_carried_ways, add_times, attempts_of
 from record import ACTIVE, LEAD_IN, PAUSED, Selection
 from recorded import everything
 from strength import counting, window_of
@@ -211,6 +211,37 @@ def score_bimanual_lift(results, task, record):
         known = affected and not coupled and None not in above.values()
         results.add(f"{name}_share_affected", affected or "both", share(above[first], above[other]) if known else None,
                     works)
+
+
+def score_bimanual_pick_place(results, task, record):
+    attempts = attempts_of(record, task["repetitions"] * len(task["target"]))
+    add_times(results, record, attempts, task["time_limit_s"], until_let_go=True)
+    fallen = record.select(HANDLING, ["drops"])
+    results.add("drops", "contact", float(np.max(record.column("drops")[fallen.rows], initial=0)), fallen)
+    add_carried_ways(results, record, Pose(record), attempts, np.nan_to_num(record.column("drops"), nan=0))
+
+    def held(columns):
+        selection = record.select(HANDLING, columns + ["grasp"])
+        return Selection(selection.rows[record.column("grasp")[selection.rows] == 1], selection.excluded)
+
+    for hand in ("left", "right"):
+        chosen = held([f"{hand}_squeeze_N"])
+        at = chosen.rows
+        value = quantile(record.column(f"{hand}_squeeze_N")[at], record.hold[at], 0.05) if len(at) else None
+        results.add("least_squeeze", hand, value, chosen)
+    side = record.first_value("affected_hand")
+    affected = None if np.isnan(side) else "left" if side == 0 else "right"
+    points = {hand: [f"{hand}_{axis}_m" for axis in "xyz"] for hand in ("left", "right")}
+    seen = held(points["left"] + points["right"])
+    near = np.flatnonzero(np.diff(seen.rows) == 1)
+    way = {}
+    for hand in ("left", "right"):
+        place = np.array([record.column(name)[seen.rows] for name in points[hand]])
+        way[hand] = float(np.sum(np.linalg.norm(place[:, near + 1] - place[:, near], axis=0)))
+    first = affected or "left"
+    other = "right" if first == "left" else "left"
+    known = affected and len(seen.rows)
+    results.add("path_share_affected", affected or "both", share(way[first], way[other]) if known else None, seen)
 
 
 def score_mirror(results, _task, record):

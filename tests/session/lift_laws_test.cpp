@@ -232,8 +232,8 @@ TEST(LiftLaws, AFrameTakesNoMemory) {
     input.object = &seen.object;
     input.touches = {seen.of.left.touches, seen.of.right.touches};
     const auto view = task->step(input);
-    if (view.two_hands().lift->on_rest)
-      object.stay(view.two_hands().lift->rest_X_WO, seen);
+    if (view.two_hands().moved->on_rest)
+      object.stay(view.two_hands().moved->rest_X_WO, seen);
     else
       object.move(seen);
   }

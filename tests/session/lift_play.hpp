@@ -77,7 +77,7 @@ inline Signals play_lift(const tasks::TaskSpec& spec, const tasks::TaskContext& 
                             0.0,
                             static_cast<double>(view.target_index),
                             static_cast<double>(view.targets_reached),
-                            static_cast<double>(view.two_hands().lift->drops),
+                            static_cast<double>(view.two_hands().moved->drops),
                             seen.object.X_WO.p.y(),
                             seen.object.angle_rad,
                             !two.affected                 ? tasks::kNotMeasured
@@ -91,8 +91,8 @@ inline Signals play_lift(const tasks::TaskSpec& spec, const tasks::TaskContext& 
     }
     signals.append_row(row);
     if (view.phase == tasks::Phase::done) return signals;
-    if (const auto& lift = view.two_hands().lift; lift->on_rest)
-      object.stay(lift->rest_X_WO, seen);
+    if (const auto& moved = view.two_hands().moved; moved->on_rest)
+      object.stay(moved->rest_X_WO, seen);
     else
       object.move(seen);
   }

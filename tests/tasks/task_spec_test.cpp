@@ -40,7 +40,7 @@ TEST(TaskSpec, EveryMistakeNamesLineFieldAndRemedy) {
        "force_sense, fatigue, individuation, force_direction, pose_tracking, pick_place, "
        "hand_opening, "
        "virtual_pick_place, bilateral_rest, bilateral_maximum, bilateral_tracking, "
-       "bimanual_lift, mirror, "
+       "bimanual_lift, bimanual_pick_place, mirror, "
        "active_range, pose_matching, pose_following, drinking, recorded"},
       {"kind = \"rest\"\nduration = 3\n",
        "t.toml:5: duration: unknown key; remove it or correct its spelling"},

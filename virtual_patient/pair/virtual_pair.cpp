@@ -50,6 +50,25 @@ VirtualPair::VirtualPair(const PairTraits& traits, const OfHands<PatientTraits>&
 
 void VirtualPair::see(const Stimulus& stimulus) noexcept {
   for (const Hand hand : kBothHands) patients_[hand].see(picture_for(hand, stimulus));
+  use_clutch();
+}
+
+void VirtualPair::meet_points(const OfHands<std::optional<CarryKnown>>& known) noexcept {
+  for (const Hand hand : kBothHands) patients_[hand].meet_point(known[hand]);
+  clutch_held_ = false;
+}
+
+void VirtualPair::use_clutch() noexcept {
+  const OfHands<const CarrySkill*> of{patients_.left.carrying(), patients_.right.carrying()};
+  if (of.left == nullptr || of.right == nullptr) return;
+  if (clutch_held_) {
+    clutch_held_ = !(of.left->relaxed() && of.right->relaxed());
+    return;
+  }
+  const bool either = of.left->wants_clutch() || of.right->wants_clutch();
+  bool all = true;
+  for (const Hand hand : kBothHands) all = all && (of[hand]->wants_clutch() || of[hand]->waits());
+  clutch_held_ = either && all;
 }
 
 void VirtualPair::meet_object(const OfHands<std::optional<Scene>>& halves) {
@@ -72,7 +91,7 @@ void VirtualPair::look_at_end(Hand hand, const ShownTray& tray, Stimulus& pictur
 Stimulus VirtualPair::picture_for(Hand hand, const Stimulus& whole) const noexcept {
   Stimulus picture = whole;
   picture.t_s += lag_s_[hand];
-  picture.hands.reset();
+  if (!picture.hands || !picture.hands->carry) picture.hands.reset();
   // Outside of a trial, and in a pause, the cue is that of the page.
   if (!whole.hands || whole.cue == Cue::hand_out || whole.cue != whole.page_cue) return picture;
   const ShownHand& own = whole.hands->of[hand];

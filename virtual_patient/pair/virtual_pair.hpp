@@ -29,6 +29,11 @@ class VirtualPair {
   /// The object now on the screen as each hand meets it (VirtualPatient::meet_object()); none:
   /// there is none. Not real-time safe; between trials only.
   void meet_object(const OfHands<std::optional<Scene>>& halves);
+  /// What each hand knows of points and bubbles by which it carries an object; none: it carries
+  /// none. Real-time safe; between trials only.
+  void meet_points(const OfHands<std::optional<CarryKnown>>& known) noexcept;
+  /// The person's foot holds the clutch.
+  [[nodiscard]] bool holds_clutch() const noexcept { return clutch_held_; }
   /// A new picture of the one screen, once per frame. Real-time safe.
   void see(const Stimulus& stimulus) noexcept;
 
@@ -56,12 +61,15 @@ class VirtualPair {
   [[nodiscard]] FingerWrenches press(Hand hand, std::size_t n, double t_s) noexcept;
   /// Both hands at the next time.
   void advance(double t_s) noexcept;
-  /// The screen as one hand takes it.
+  /// Pressed when neither point can do more without it, let go when both hands have relaxed.
+  void use_clutch() noexcept;
   /// Each hand watches its own end of the object.
   static void look_at_end(Hand hand, const ShownTray& tray, Stimulus& picture) noexcept;
+  /// The screen as one hand takes it.
   [[nodiscard]] Stimulus picture_for(Hand hand, const Stimulus& whole) const noexcept;
 
   PairTraits traits_;
+  bool clutch_held_ = false;
   OfHands<double> force_cv_;  ///< of the noise in common
   OfHands<double> share_;     ///< of what is asked of both together
   OfHands<double> lag_s_;

@@ -24,8 +24,8 @@ class PickPlaceScore {
     std::vector<Measure> all;
     // Up to letting go: that is part of the task.
     add_completions(all, record_, attempts_, spec_.time_limit_s, &Attempt::last_row);
-    all.push_back(drops());
-    all.push_back(path_efficiency());
+    all.push_back(drops_measure(record_));
+    all.push_back(path_efficiency_measure(record_, attempts_));
     add_hold_errors(all);
     all.push_back(object_.slip(kMoving));
     all.push_back(object_.mean_grip(kMoving));
@@ -34,42 +34,6 @@ class PickPlaceScore {
   }
 
  private:
-  [[nodiscard]] Measure drops() const {
-    Section section = record_.select(kMoving, {columns::drops});
-    double most = 0.0;
-    for (const double drops : section.values(columns::drops)) most = std::max(most, drops);
-    return make_measure("drops", "contact", "", section, most);
-  }
-
-  /// The path that ended at the target, from where the object appeared last. It begins one row
-  /// after the object appeared again: in that row its position is still the old one.
-  [[nodiscard]] Section last_path(const Attempt& attempt) const {
-    const auto drops = record_.signals().column(columns::drops);
-    std::size_t first = attempt.first_row + 1;
-    if (!drops.empty()) {
-      double before = drops[attempt.first_row];
-      for (std::size_t row = first; row <= attempt.hold_row; ++row) {
-        if (drops[row] > before) first = row + 1;
-        if (!std::isnan(drops[row])) before = drops[row];
-      }
-    }
-    return record_.select_position(first, attempt.hold_row + 1, kMoving);
-  }
-
-  [[nodiscard]] Measure path_efficiency() const {
-    Section paths;
-    paths.reason = attempts_.absent;
-    std::vector<std::vector<Vec3>> paths_m;
-    for (const Attempt& attempt : attempts_.all) {
-      if (!attempt.reached) continue;
-      const Section path = last_path(attempt);
-      append(paths, path);
-      paths_m.push_back(path_of(path));
-    }
-    if (paths.reason.empty() && paths.rows.empty()) paths.reason = kNothingPlaced;
-    return make_measure("path_efficiency", "position", "%", paths, tasks::path_efficiency(paths_m));
-  }
-
   /// While the object that was placed then was held inside the tolerance, until it was let go.
   void add_hold_errors(std::vector<Measure>& all) const {
     Section position;

@@ -251,6 +251,46 @@ void add_target_times(std::vector<Measure>& measures, const Section& whole,
                                   statistics::restricted_mean_time(completions, limit_s)));
 }
 
+Measure drops_measure(const Record& record) {
+  Section section = record.select(kMoving, {columns::drops});
+  double most = 0.0;
+  for (const double drops : section.values(columns::drops)) most = std::max(most, drops);
+  return make_measure("drops", "contact", "", section, most);
+}
+
+namespace {
+
+/// The path that ended at the target, from where the object appeared last. It begins one row after
+/// the object appeared again: in that row its position is still the old one.
+Section last_path(const Record& record, const Attempt& attempt) {
+  const auto drops = record.signals().column(columns::drops);
+  std::size_t first = attempt.first_row + 1;
+  if (!drops.empty()) {
+    double before = drops[attempt.first_row];
+    for (std::size_t row = first; row <= attempt.hold_row; ++row) {
+      if (drops[row] > before) first = row + 1;
+      if (!std::isnan(drops[row])) before = drops[row];
+    }
+  }
+  return record.select_position(first, attempt.hold_row + 1, kMoving);
+}
+
+}  // namespace
+
+Measure path_efficiency_measure(const Record& record, const Attempts& attempts) {
+  Section paths;
+  paths.reason = attempts.absent;
+  std::vector<std::vector<Vec3>> paths_m;
+  for (const Attempt& attempt : attempts.all) {
+    if (!attempt.reached) continue;
+    const Section path = last_path(record, attempt);
+    append(paths, path);
+    paths_m.push_back(path_of(path));
+  }
+  if (paths.reason.empty() && paths.rows.empty()) paths.reason = "nothing was placed"_text;
+  return make_measure("path_efficiency", "position", "%", paths, path_efficiency(paths_m));
+}
+
 void add_completions(std::vector<Measure>& measures, const Record& record, const Attempts& attempts,
                      double limit_s, std::size_t Attempt::*end_row) {
   Section whole = record.select(kMoving, {});

@@ -151,6 +151,27 @@ void add_target_times(std::vector<Measure>& measures, const Section& whole,
 void add_completions(std::vector<Measure>& measures, const Record& record, const Attempts& attempts,
                      double limit_s, std::size_t Attempt::*end_row);
 
+/// How often the object was dropped.
+[[nodiscard]] Measure drops_measure(const Record& record);
+/// Of the paths that ended at their targets, each from where the object appeared last.
+[[nodiscard]] Measure path_efficiency_measure(const Record& record, const Attempts& attempts);
+
+/// Only the rows of which `keeps(value)` is true; `values`: one for each row.
+template <class Keeps>
+void keep_rows(Section& section, const std::vector<double>& values, Keeps keeps) {
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < section.rows.size(); ++k) {
+    if (!keeps(values[k])) continue;
+    section.rows[kept] = section.rows[k];
+    section.t_s[kept] = section.t_s[k];
+    section.weight_s[kept] = section.weight_s[k];
+    ++kept;
+  }
+  section.rows.resize(kept);
+  section.t_s.resize(kept);
+  section.weight_s.resize(kept);
+}
+
 /// The phases in which an object is moved.
 inline constexpr std::initializer_list<Phase> kMoving = {Phase::transport, Phase::hold};
 

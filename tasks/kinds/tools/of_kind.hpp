@@ -64,6 +64,12 @@ bool multiply(KindSpec& kind, Difficulty::Factor factor, double by) {
       return true;
     }
   }
+  if constexpr (requires { task.affected_share; }) {
+    if (factor == Factor::affected_share) {
+      task.affected_share *= by;
+      return true;
+    }
+  }
   if constexpr (requires { task.waveform; }) {
     if (factor == Factor::frequency) {
       task.waveform.frequency_Hz *= by;

@@ -48,7 +48,7 @@ class BimanualLift final : public Task {
     if (frame_ == 0 && hands != nullptr && hands->object != nullptr) rest_ = hands->object->X_WO;
     TaskView view;
     TwoHandsView both = blank_;
-    LiftView& lift = both.lift.emplace();
+    MovedView& lift = both.moved.emplace();
     lift.band = band_;
     lift.rest_X_WO = lift.X_WT = rest_;
     lift.X_WT.p.y() += height_m_;
@@ -79,7 +79,7 @@ class BimanualLift final : public Task {
 
  private:
   /// One frame of a lift.
-  void lift_it(const TwoHandsInput* hands, TaskView& view, LiftView& lift) noexcept {
+  void lift_it(const TwoHandsInput* hands, TaskView& view, MovedView& lift) noexcept {
     view.phase = Phase::transport;
     view.target_index = current_;
     lift.target_shown = true;
@@ -109,7 +109,7 @@ class BimanualLift final : public Task {
   }
 
   /// True: it has been inside for as long as is asked.
-  bool hold(const TwoHandsInput& hands, TaskView& view, const LiftView& lift) noexcept {
+  bool hold(const TwoHandsInput& hands, TaskView& view, const MovedView& lift) noexcept {
     const ObjectState& object = *hands.object;
     const bool inside = hands.touches.left && hands.touches.right &&
                         std::abs(object.X_WO.p.y() - lift.X_WT.p.y()) <= band_.position_m &&

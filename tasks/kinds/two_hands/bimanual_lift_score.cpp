@@ -17,6 +17,7 @@
 #include "tasks/kinds/tools/score_tools.hpp"
 #include "tasks/kinds/two_hands/bimanual_lift.hpp"
 #include "tasks/kinds/two_hands/lifted.hpp"
+#include "tasks/kinds/two_hands/way_of_hand.hpp"
 #include "tasks/measures/coordination/two_hands.hpp"
 #include "tasks/score.hpp"
 
@@ -45,7 +46,7 @@ class LiftScore {
     std::vector<Measure> lifts;
     add_completions(lifts, record_, attempts_of(record_, static_cast<std::size_t>(spec_.lifts)),
                     spec_.time_limit_s, &Attempt::hold_row);
-    add_drops();
+    lifts.push_back(drops_measure(record_));
     add_tilt();
     add_holding();
     add_path();
@@ -60,30 +61,16 @@ class LiftScore {
  private:
   /// The rows off its rest in which all of these have a value.
   [[nodiscard]] Section lifted(std::vector<std::string> columns) const {
+    // Too small or too large to compute with is what a measure reads, whatever the height is.
+    if (Section alone = record_.select(kMoving, columns); !alone.reason.empty()) return alone;
     const Column& height = columns::actual_position[1];
     columns.emplace_back(height);
-    const Section all = record_.select(kMoving, columns);
-    Section chosen = all;
-    chosen.rows.clear();
-    chosen.t_s.clear();
-    chosen.weight_s.clear();
+    Section chosen = record_.select(kMoving, columns);
     const double rest_m = record_.constant(height).value_or(0.0);
-    const auto height_m = all.values(height);
-    for (std::size_t k = 0; k < all.rows.size(); ++k) {
-      if (!(height_m[k] - rest_m > kOffRest_m)) continue;
-      chosen.rows.push_back(all.rows[k]);
-      chosen.t_s.push_back(all.t_s[k]);
-      chosen.weight_s.push_back(all.weight_s[k]);
-    }
+    keep_rows(chosen, chosen.values(height),
+              [rest_m](double height_m) { return height_m - rest_m > kOffRest_m; });
     if (chosen.reason.empty() && chosen.rows.empty()) chosen.reason = kNeverLifted;
     return chosen;
-  }
-
-  void add_drops() {
-    Section section = record_.select(kMoving, {columns::drops});
-    double most = 0.0;
-    for (const double drops : section.values(columns::drops)) most = std::max(most, drops);
-    list_.add("drops", "contact", "", section, most);
   }
 
   void add_tilt() {
@@ -112,19 +99,6 @@ class LiftScore {
     }
   }
 
-  /// Of one end, between rows next to each other: a drop is no way.
-  [[nodiscard]] static double way_m(const Section& section, const columns::OfAxes& end) {
-    const std::array axes{section.values(end[0]), section.values(end[1]), section.values(end[2])};
-    double way_m = 0.0;
-    for (std::size_t k = 1; k < section.rows.size(); ++k) {
-      if (section.rows[k] != section.rows[k - 1] + 1) continue;
-      Vec3 step_m;
-      for (std::size_t a = 0; a < 3; ++a)
-        step_m[static_cast<Eigen::Index>(a)] = axes[a][k] - axes[a][k - 1];
-      way_m += step_m.norm();
-    }
-    return way_m;
-  }
   void add_path() {
     std::vector<std::string> columns;
     for (const Hand hand : kBothHands)

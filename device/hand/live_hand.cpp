@@ -10,6 +10,7 @@
 namespace isograsp {
 
 void HandDesk::begin() {
+  service_.clear();
   intake_.begin(clock_.now());
   tell();
 }

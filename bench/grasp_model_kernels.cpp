@@ -5,6 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include "core/csv.hpp"
+#include "grasp_model/batch/batch.hpp"
 #include "grasp_model/contact.hpp"
 #include "grasp_model/plan.hpp"
 #include "grasp_model/rotation.hpp"
@@ -61,6 +62,29 @@ BENCHMARK_CAPTURE(frame, S3_free_block, std::string("S3.toml"));
 BENCHMARK_CAPTURE(frame, S4a_stiff, std::string("S4a.toml"));
 BENCHMARK_CAPTURE(frame, S5_tumbling, std::string("S5.toml"), false);
 BENCHMARK_CAPTURE(frame, S7_overdamped, std::string("S7.toml"));
+
+/// A frame of one of `count` objects that move side by side, each under its own forces.
+void batch_frame(benchmark::State& bench, const std::string& file, std::size_t count) {
+  const Plan plan = plan_of(kGiven + file);
+  Batch batch(plan, count);
+  constexpr std::size_t kApart = 97;  // rows of the recording between two objects
+  std::vector<std::vector<FingerWrenches>> rows(forces().size());
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    for (std::size_t i = 0; i < count; ++i)
+      rows[k].push_back(forces()[(k + kApart * i) % rows.size()]);
+  std::size_t k = 0;
+  std::size_t waiting = 0;
+  for (auto _ : bench) {
+    if (++waiting < count) continue;
+    waiting = 0;
+    batch.step(rows[k]);
+    if (++k == rows.size()) k = 0;
+  }
+}
+BENCHMARK_CAPTURE(batch_frame, S2_planar_block_one_of_8, std::string("S2.toml"), 8);
+BENCHMARK_CAPTURE(batch_frame, S2_planar_block_one_of_64, std::string("S2.toml"), 64);
+BENCHMARK_CAPTURE(batch_frame, S3_free_block_one_of_8, std::string("S3.toml"), 8);
+BENCHMARK_CAPTURE(batch_frame, S3_free_block_one_of_64, std::string("S3.toml"), 64);
 
 void grasp_alone(benchmark::State& bench) {
   const Plan plan = plan_of(kGiven + "S2.toml");

@@ -17,13 +17,15 @@ inline constexpr std::array<double, 12> kAtan{
     -0.050085783940660889834, 0.03729948684921499417,   -0.017085141492542090346};
 inline constexpr double kAtanReach = 0.17157287525380990;  // tan^2(22.5 deg)
 
-[[nodiscard, gnu::always_inline]] inline double atan_ratio(double u) noexcept {
+/// `T`: a number, or several side by side.
+template <class T>
+[[nodiscard, gnu::always_inline]] inline T atan_ratio(const T& u) noexcept {
   const auto& a = kAtan;
-  const double u2 = u * u;
-  const double u4 = u2 * u2;
-  const double low = (a[0] + a[1] * u) + u2 * (a[2] + a[3] * u);
-  const double middle = (a[4] + a[5] * u) + u2 * (a[6] + a[7] * u);
-  const double high = (a[8] + a[9] * u) + u2 * (a[10] + a[11] * u);
+  const T u2 = u * u;
+  const T u4 = u2 * u2;
+  const T low = (a[0] + a[1] * u) + u2 * (a[2] + a[3] * u);
+  const T middle = (a[4] + a[5] * u) + u2 * (a[6] + a[7] * u);
+  const T high = (a[8] + a[9] * u) + u2 * (a[10] + a[11] * u);
   return low + u4 * (middle + u4 * high);
 }
 

@@ -4,7 +4,9 @@
 // 2nd ed., sect. II.5 and the program DOP853; here to 24 digits.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace isograsp::dormand_prince {
 
@@ -45,5 +47,24 @@ template <class State>
   return -0.189800754072407615714702 * k[0] + 4.45031289275240888144114 * k[5] + 1.89151789931450038304282 * k[6] - 5.80120396001058478146721 * k[7] - 0.422682321323791962932446 * k[8] - 0.152160949662516078556179 * k[9] + 0.201365400804030348374777 * k[10] + 0.0226517921983608258118062 * k[11];
 }
 // clang-format on
+/// Hairer's combination of the errors of the embedded formulas.
+[[nodiscard, gnu::always_inline]] inline double combined(double h_s, double error5,
+                                                         double error3) noexcept {
+  const double both = error5 * error5 + 0.01 * error3 * error3;
+  return both == 0.0 ? 0.0 : h_s * error5 * error5 / std::sqrt(both);
+}
+/// Of a turning body: error of the attitude from the angles that error5 and error3 mean, and from
+/// the same with what their velocities turn in a step.
+[[nodiscard, gnu::always_inline]] inline double estimate(double h_s, double angle5, double angle3,
+                                                         double size5, double size3) noexcept {
+  return std::max(combined(h_s, angle5, angle3), 0.5 * combined(h_s, size5, size3));
+}
+/// What order 5 would have erred by, per unit of h: the fourth difference of the rates, at 0, 1/4,
+/// 3/5, 6/7, 1.
+template <class State>
+[[nodiscard, gnu::always_inline]] inline State coarser(const std::array<State, 12>& k) {
+  return 0.07777777777777778 * k[0] - 0.25098039215686274 * k[6] + 0.46296296296296297 * k[9] -
+         0.5230936819172113 * k[10] + 0.23333333333333334 * k[11];
+}
 
 }  // namespace isograsp::dormand_prince

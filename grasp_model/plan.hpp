@@ -13,6 +13,7 @@
 #include "grasp_model/contact.hpp"
 #include "grasp_model/coupled.hpp"
 #include "grasp_model/follow.hpp"
+#include "grasp_model/free_turn.hpp"
 #include "grasp_model/plan_lanes.hpp"
 #include "grasp_model/rotation.hpp"
 #include "grasp_model/scene.hpp"
@@ -123,6 +124,7 @@ class Plan {
   unsigned touch(const FingerWrenches& wrench_C, ObjectState& state, const Use& use) const noexcept;
   void compile_lanes();
   friend struct LaneKernels;  // axes that move independently: plan_lanes.cpp
+  friend struct BatchTerms;   // many states at once: batch/batch.cpp
   void step_any(const FingerWrenches& wrench_C, ObjectState& state) const noexcept;
   [[nodiscard]] std::array<double, 6> rows_of(const Wrench& held) const noexcept;
   // `rows`: what stays constant during the hold, as GraspWrench::held, packed as rows_.
@@ -147,6 +149,7 @@ class Plan {
   void set_far_attitude(double angle_rad, ObjectState& state) const noexcept;
   /// Three free rotations, or a force that follows one.
   void turn(const Coefficients& steps, const double* rows, ObjectState& state) const noexcept;
+  [[nodiscard]] FreeTurn::Terms turn_terms(double hold_s) const noexcept;
   void turn_freely(double hold_s, const Wrench& held, ObjectState& state) const noexcept;
   void follow_about_axis(const Coefficients& steps, const Vec6& held,
                          ObjectState& state) const noexcept;

@@ -25,12 +25,9 @@ using PairMask = long long __attribute__((vector_size(16)));
 using Four = PlanLanes::Four;
 using Mask = PlanLanes::Mask;
 
-/// Between them a square and its root keep all their digits.
-constexpr double kLeast = 1e-280;
-constexpr double kMost = 1e280;
+constexpr double kLeast = PlanLanes::kLeast;
+constexpr double kMost = PlanLanes::kMost;
 
-/// Three fingers in four lanes, so that few of them have to cross: thumb, middle, index, middle.
-constexpr std::array<std::size_t, 4> kFingerOfLane{0, 2, 1, 2};
 /// A set of fingers is the bits of the first three lanes.
 constexpr unsigned kAll = 7;
 /// ObjectState::contact of a set.
@@ -267,9 +264,9 @@ void Plan::compile_lanes() {
   for (const bool limit : limited_) limited = limited || limit;
   if (contacts_ != kFingerCount || limited || torsion_ || coupled_ || force_follows_) return;
   if (!acts_[kAll]) return;
-  for (std::size_t lane = 0; lane < kFingerOfLane.size(); ++lane) {
+  for (std::size_t lane = 0; lane < PlanLanes::kFingerOfLane.size(); ++lane) {
     const auto l = static_cast<int>(lane);
-    const Pressing& contact = pressing_[kFingerOfLane[lane]];
+    const Pressing& contact = pressing_[PlanLanes::kFingerOfLane[lane]];
     lanes_.friction[l] = contact.limit.tangential ? contact.limit.mu : 0.0;
     lanes_.touches_above[l] = contact.rule.least_N(false);
     lanes_.stays_above[l] = contact.rule.least_N(true);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "hand/finger.hpp"
 
@@ -12,11 +13,17 @@ namespace isograsp {
 class Plan;
 struct ObjectState;
 
-/// Numbers in fours: first a finger a lane (plan_lanes.cpp says in which order), then a free axis a
+/// Numbers in fours: first a finger a lane (kFingerOfLane), then a free axis a
 /// lane: the translations in their order, behind them the one free rotation.
-struct PlanLanes {
+struct alignas(32) PlanLanes {
   using Four = double __attribute__((vector_size(32)));
   using Mask = long long __attribute__((vector_size(32)));
+
+  /// Between them a square and its root keep all their digits.
+  static constexpr double kLeast = 1e-280;
+  static constexpr double kMost = 1e280;
+  /// Three fingers in four lanes, so that few of them have to cross: thumb, middle, index, middle.
+  static constexpr std::array<std::size_t, 4> kFingerOfLane{0, 2, 1, 2};
 
   // Fingers.
   Four friction{};

@@ -6,34 +6,13 @@
 #include <limits>
 #include <optional>
 
+#include "grasp_model/free_turn.hpp"
 #include "grasp_model/plan.hpp"
 #include "grasp_model/rotation.hpp"
 
 namespace isograsp {
 
 namespace {
-
-/// Of half of so3::kSpringReach_rad, 1.9 pi.
-constexpr double kCosineOfReach = -0.98768834059513773;
-/// A hold divided by 2^level: exact.
-constexpr std::array<double, kFinestLevel + 1> kPart{1.0,        1.0 / 2.0,  1.0 / 4.0, 1.0 / 8.0,
-                                                     1.0 / 16.0, 1.0 / 32.0, 1.0 / 64.0};
-/// A panel turns the fastest rate by at most this: error of the quadrature below 1e-13 of the
-/// force.
-constexpr double kPanel_rad = 0.5;
-/// If a damper needs more than 2 to this explicit steps, one stiff step is better.
-constexpr int kStiffLevel = 3;
-/// A step of twice the length makes an error larger by 2 to this power.
-constexpr int kExplicitOrder = 8;
-constexpr int kStiffOrder = 5;
-
-/// The coarsest of levels 0 … that divides `turn_rad` into parts of `part_rad`; more than
-/// kFinestLevel: not possible.
-int level_for(double turn_rad, double part_rad) noexcept {
-  int level = 0;
-  for (; level <= kFinestLevel && !(turn_rad <= part_rad); ++level) turn_rad *= 0.5;
-  return level;
-}
 
 /// A force in world axes that is constant in object axes. If q is not of length 1: as in SpinRate.
 Vec3 turned(const so3::SpinVector& y, const Vec3& force_O) noexcept {
@@ -157,105 +136,57 @@ void Plan::follow_about_axis(const Coefficients& steps, const Vec6& held,
   set_turn(turn, state);
 }
 
+FreeTurn::Terms Plan::turn_terms(double hold_s) const noexcept {
+  return {hold_s,          scene_.tolerance_rad,
+          coarsest_level_, scene_.wrench_frame == WrenchFrame::hand,
+          branch_,         force_follows_ ? std::optional(linear_.fastest_rate()) : std::nullopt};
+}
+
 void Plan::turn_freely(double hold_s, const Wrench& held, ObjectState& state) const noexcept {
-  const bool world = scene_.wrench_frame == WrenchFrame::hand;
+  FreeTurn body(rate_, turn_terms(hold_s), held.torque, state.X_WO.q, state.w_WO_W, state.level);
   const Vec3& force_O = held.force;
-  const Vec3& torque = held.torque;
-  so3::SpinRate rate = rate_;
-  rate.load(world ? so3::Torques{torque, Vec3::Zero()} : so3::Torques{Vec3::Zero(), torque});
-  Quat& q_WO = state.X_WO.q;
-  so3::SpinVector y = so3::pack({Quat(branch_ * q_WO.coeffs()), q_WO.conjugate() * state.w_WO_W});
-
-  const double turn_rad = rate.fastest(y, hold_s) * hold_s;
-  int coarsest = coarsest_level_;
-  while (coarsest < 0 && !(turn_rad <= so3::stable_rad(order_of(coarsest)))) ++coarsest;
-  if (coarsest == 0) coarsest = level_for(turn_rad, so3::stable_rad(so3::Order::eighth));
-  const bool stiff = coarsest > (rate.overdamped() ? kStiffLevel : kFinestLevel);
-  if (stiff) coarsest = 0;
-  int follow_level = 0;
-  if (force_follows_) follow_level = level_for(linear_.fastest_rate() * hold_s, kPanel_rad);
-  bool exceeded = follow_level > kFinestLevel ||
-                  (stiff && rate.too_fast(y, std::ldexp(hold_s, -kFinestLevel), hold_s));
-  if (follow_level > 0) coarsest = std::max(coarsest, std::min(follow_level, kFinestLevel));
-
-  // What may not be followed must not gain energy either.
-  const bool hard = stiff || coarsest == kFinestLevel;
-  if (hard) rate.watch();
-
   // States at the nodes of the panel that a step makes, for the force that follows.
   so3::StageStates seen;
-  int level = std::clamp(state.level, coarsest, kFinestLevel);
   const auto take = [&](const so3::SpinVector& from, double h_s) {
-    return stiff ? so3::stiff_step(rate, from, h_s)
-                 : so3::explicit_step(order_of(level), rate, from, h_s,
-                                      force_follows_ ? &seen : nullptr);
+    return body.stiff() ? so3::stiff_step(body.rate(), from, h_s)
+                        : so3::explicit_step(order_of(body.level()), body.rate(), from, h_s,
+                                             force_follows_ ? &seen : nullptr);
   };
   const auto forces_along = [&](const so3::SpinVector& from, const so3::SpinVector& to,
                                 double h_s) {
-    const Quadrature& nodes = stage_nodes(order_of(level));
+    const Quadrature& nodes = stage_nodes(order_of(body.level()));
     PanelForces forces;
     forces.begin = weight_W_ + turned(from, force_O);
     forces.end = weight_W_ + turned(to, force_O);
     for (std::size_t n = 0; n < nodes.size; ++n)
-      forces.node[n] = weight_W_ + turned(stiff ? so3::between(from, to, h_s, nodes.time[n])
-                                                : seen[nodes.stage[n]],
+      forces.node[n] = weight_W_ + turned(body.stiff() ? so3::between(from, to, h_s, nodes.time[n])
+                                                       : seen[nodes.stage[n]],
                                           force_O);
     return forces;
   };
-
-  const so3::SpinVector start = y;
-  const int order = stiff ? kStiffOrder : kExplicitOrder;
-  constexpr int kSlots = 1 << kFinestLevel;
-  double error_rad = 0.0;
-  for (int slot = 0; slot < kSlots;) {
-    const int halvings = std::max(level, 0);
-    const double part = kPart[static_cast<std::size_t>(halvings)];
-    const double h_s = part * hold_s;
-    const so3::SpinStep step = take(y, h_s);
-    const double allowed_rad = part * scene_.tolerance_rad;
-    if (!(step.error_rad <= allowed_rad) && level < kFinestLevel) {
-      ++level;
-      continue;
-    }
+  while (body.turning()) {
+    const double h_s = body.step_s();
+    const so3::SpinStep step = take(body.y(), h_s);
+    if (!body.accepts(step)) continue;
     if (force_follows_) {
-      const Follower& follower = followers_[static_cast<std::size_t>(order_of(level))];
-      const PanelForces forces = forces_along(y, step.end, h_s);
+      const Follower& follower = followers_[static_cast<std::size_t>(order_of(body.level()))];
+      const PanelForces forces = forces_along(body.y(), step.end, h_s);
       const auto between = [&](double from_s, double to_s) {
-        const so3::SpinVector at = from_s > 0.0 ? take(y, from_s).end : y;
+        const so3::SpinVector at = from_s > 0.0 ? take(body.y(), from_s).end : body.y();
         return forces_along(at, take(at, to_s - from_s).end, to_s - from_s);
       };
       std::optional<QuadraturePanel> fresh;
-      push_over(
-          follower,
-          hold_s == hold_s_ ? follower.panel(halvings) : fresh.emplace(follower.panel_of(h_s)),
-          forces, between, state);
+      push_over(follower,
+                hold_s == hold_s_ ? follower.panel(body.halvings())
+                                  : fresh.emplace(follower.panel_of(h_s)),
+                forces, between, state);
     }
-    y = step.end;
-    error_rad += step.error_rad;
-    slot += kSlots >> halvings;
-    if (level <= coarsest) continue;
-    if (level <= 0) {
-      if (step.coarser_rad <= allowed_rad) --level;
-    } else if (slot % (kSlots >> (level - 1)) == 0 &&
-               std::ldexp(step.error_rad, order) <= allowed_rad) {
-      --level;
-    }
+    body.advance(step);
   }
-  exceeded = exceeded || !(error_rad <= scene_.tolerance_rad);
-  if (!(y.squaredNorm() < std::numeric_limits<double>::infinity()))
-    y = so3::pack({so3::unpack(start).q_WO, Vec3::Zero()});
-  if (rate_.watched() || (exceeded && hard))
-    error_rad += rate.limit_energy(rate.energy(start) + y[7], y);
-  rate.settle(y);
-  y.head<4>() /= y.head<4>().norm();
-  const so3::Spin spin = so3::unpack(y);
-  // The angle is beyond kSpringReach_rad.
-  if (spin.q_WO.w() < kCosineOfReach && rate.spring()) exceeded = true;
-  state.level = level;
+  state.level = body.level();
+  const auto [error_rad, exceeded] = body.finish(branch_, state.X_WO.q, state.w_WO_W);
   state.error_rad = error_rad;
-  state.tolerance_exceeded = exceeded || !(error_rad <= scene_.tolerance_rad);
-  q_WO.coeffs() = branch_ * spin.q_WO.coeffs();
-  state.w_WO_W = q_WO * spin.w_O;
+  state.tolerance_exceeded = exceeded;
 }
 
 }  // namespace isograsp

@@ -3,25 +3,31 @@
 // [rad]. Formulas: docs/grasp_model.md, "Three rotations".
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "core/spatial.hpp"
 
 namespace isograsp::so3 {
 
-/// cos(x / 2) and sin(x / 2) / x in pairs for |x| <= kNear_rad, polynomials in x^2: interpolated at
-/// the Chebyshev points of [0, 2.48], relative error 7e-17 and 4e-18.
+/// cos(x / 2) and sin(x / 2) / x for |x| <= kNear_rad, polynomials in x^2: interpolated at the
+/// Chebyshev points of [0, 2.48], relative error 7e-17 and 4e-18.
 inline constexpr double kNear_rad = 1.5708;
+inline constexpr std::array<std::array<double, 7>, 2> kHalfTurn{
+    {{1.0, -0.12499999999999807, 0.0026041666666542064, -2.1701388858734845e-05,
+      9.688116564065829e-08, -2.690938731669193e-10, 5.036426664686774e-13},
+     {0.5, -0.02083333333333327, 0.00026041666666625087, -1.5500992053430521e-06,
+      5.38228775128569e-09, -1.2231788463960995e-11, 1.9401735516119383e-14}}};
+/// Both from x.
 [[nodiscard, gnu::always_inline]] inline Eigen::Array2d half_turn(double x) noexcept {
   using Pair = Eigen::Array2d;
   const double u = x * x;
   const double u2 = u * u;
-  const Pair low = (Pair(1.0, 0.5) + u * Pair(-0.12499999999999807, -0.02083333333333327)) +
-                   u2 * (Pair(0.0026041666666542064, 0.00026041666666625087) +
-                         u * Pair(-2.1701388858734845e-05, -1.5500992053430521e-06));
-  const Pair high = (Pair(9.688116564065829e-08, 5.38228775128569e-09) +
-                     u * Pair(-2.690938731669193e-10, -1.2231788463960995e-11)) +
-                    u2 * Pair(5.036426664686774e-13, 1.9401735516119383e-14);
+  const auto c = [](std::size_t i) __attribute__((always_inline)) {
+    return Pair(kHalfTurn[0][i], kHalfTurn[1][i]);
+  };
+  const Pair low = (c(0) + u * c(1)) + u2 * (c(2) + u * c(3));
+  const Pair high = (c(4) + u * c(5)) + u2 * c(6);
   return low + (u2 * u2) * high;
 }
 /// Cosine and sine to 1 ulp of 1, without a library call below 1e5 rad: the same bits everywhere.

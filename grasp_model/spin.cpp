@@ -48,15 +48,19 @@ void SpinRate::load(const Torques& torques) noexcept {
   world_ = !torques.world.isZero(0.0);
 }
 
-double SpinRate::fastest(const SpinVector& y, double hold_s) const noexcept {
-  const double torque = torques_.world.norm() + torques_.body.norm();
-  double resisting = std::numeric_limits<double>::infinity();  // torque that a speed costs, least
+double SpinRate::resisting(double hold_s) const noexcept {
+  double least = std::numeric_limits<double>::infinity();
   for (Eigen::Index i = 0; i < 3; ++i) {
     const double I = body_.inertia_kg_m2[i];
     const double C = body_.damping[i];
-    resisting = std::min(resisting, I == 0.0 ? C : std::max(I / hold_s, C));
+    least = std::min(least, I == 0.0 ? C : std::max(I / hold_s, C));
   }
-  return y.segment<3>(4).norm() + torque / resisting + own_rate_;
+  return least;
+}
+
+double SpinRate::fastest(const SpinVector& y, double hold_s) const noexcept {
+  const double torque = torques_.world.norm() + torques_.body.norm();
+  return y.segment<3>(4).norm() + torque / resisting(hold_s) + own_rate_;
 }
 
 Vec3 SpinRate::held(const SpinVector& y) const noexcept {

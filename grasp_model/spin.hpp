@@ -55,6 +55,10 @@ class SpinRate {
   /// Fastest rate of the motion in the hold [1/s]: |w| + sqrt(max k/I) + max c/I, where |w| counts
   /// what the torques can add to it.
   [[nodiscard]] double fastest(const SpinVector& y, double hold_s) const noexcept;
+  /// Its parts: the least torque that a speed of 1 rad/s within the hold costs [N m s], and the
+  /// rate of spring and damper [1/s].
+  [[nodiscard]] double resisting(double hold_s) const noexcept;
+  [[nodiscard]] double own_rate() const noexcept { return own_rate_; }
   /// The damper is faster than the spring: motion settles instead of swinging.
   [[nodiscard]] bool overdamped() const noexcept { return overdamped_; }
   /// Part of the motion is too fast for steps of `step_s` and has not died away at the end of the

@@ -34,7 +34,7 @@ struct Lanes {
 }
 
 /// A difference of attitudes as the angle it means [rad].
-[[gnu::always_inline]] inline double angle_of(const Lanes& difference) noexcept {
+[[gnu::always_inline]] inline double turn_of(const Lanes& difference) noexcept {
   const Four squares = difference.q * difference.q;
   return 2.0 * std::sqrt((squares[0] + squares[2]) + (squares[1] + squares[3]));
 }
@@ -118,12 +118,6 @@ class ExplicitRate {
 
 namespace {
 
-/// Hairer's combination of the errors of the embedded formulas.
-[[gnu::always_inline]] inline double combined(double h_s, double error5, double error3) noexcept {
-  const double both = error5 * error5 + 0.01 * error3 * error3;
-  return both == 0.0 ? 0.0 : h_s * error5 * error5 / std::sqrt(both);
-}
-
 template <Order order>
 [[gnu::always_inline]] inline void step_of(const SpinRate& rate, const SpinVector& start,
                                            double h_s, StageStates* seen, SpinStep& step) noexcept {
@@ -147,8 +141,7 @@ template <Order order>
     scheme::stages(y, h_s, f, k);
     end = y + h_s * scheme::increment(k);
     step.error_rad = h_s * size_of(scheme::error4(k), h_s);
-    // The second difference of the rates, at 0, 0.3, 0.6.
-    step.coarser_rad = h_s * size_of(1.2 * (k[0] - 2.0 * k[2] + k[3]), h_s);
+    step.coarser_rad = h_s * size_of(scheme::coarser(k), h_s);
   } else {
     namespace scheme = dormand_prince;
     std::array<Lanes, 12> k;
@@ -156,13 +149,9 @@ template <Order order>
     end = y + h_s * scheme::increment(k);
     const Lanes error5 = scheme::error5(k);
     const Lanes error3 = scheme::error3(k);
-    step.error_rad = std::max(combined(h_s, angle_of(error5), angle_of(error3)),
-                              0.5 * combined(h_s, size_of(error5, h_s), size_of(error3, h_s)));
-    if (rate.watched())  // the fourth difference of the rates, at 0, 1/4, 3/5, 6/7, 1
-      step.coarser_rad = h_s * size_of(0.07777777777777778 * k[0] - 0.25098039215686274 * k[6] +
-                                           0.46296296296296297 * k[9] - 0.5230936819172113 * k[10] +
-                                           0.23333333333333334 * k[11],
-                                       h_s);
+    step.error_rad = scheme::estimate(h_s, turn_of(error5), turn_of(error3), size_of(error5, h_s),
+                                      size_of(error3, h_s));
+    if (rate.watched()) step.coarser_rad = h_s * size_of(scheme::coarser(k), h_s);
   }
   std::memcpy(step.end.data(), &end, sizeof end);
 }

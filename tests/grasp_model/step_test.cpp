@@ -7,6 +7,7 @@
 
 #include "grasp_model/grasp.hpp"
 #include "grasp_model/plan.hpp"
+#include "tests/grasp_model/presses.hpp"
 #include "tests/grasp_model/support.hpp"
 #include "tests/support/within.hpp"
 
@@ -29,23 +30,6 @@ std::string dynamics(const std::string& free, const std::string& more = "") {
 Scene scene_with(const std::string& free, const std::string& more = "") {
   return test::scene_of(test::block(dynamics(free, more)));
 }
-
-/// Forces as people press: on and off, within the cone and beyond, with torques.
-class Presses {
- public:
-  FingerWrenches next() {
-    FingerWrenches forces;
-    for (auto& wrench : forces) {
-      wrench.force = Vec3(uniform(), uniform(), 2.0 * uniform() + 1.0);
-      wrench.torque = 0.01 * Vec3(uniform(), uniform(), uniform());
-    }
-    return forces;
-  }
-
- private:
-  double uniform() { return static_cast<double>(random_() >> 11) * 0x1p-53 * 2.0 - 1.0; }
-  std::mt19937_64 random_{11};
-};
 
 void expect_same(const ObjectState& a, const ObjectState& b) {
   EXPECT_EQ(a.X_WO.p, b.X_WO.p);
@@ -73,7 +57,7 @@ TEST(Step, WithAndWithoutTheRecordIsTheSameMotionBitForBit) {
         const Plan plan = test::plan_of(scene);
         ObjectState a = plan.initial_state();
         ObjectState b = a;
-        Presses presses;
+        test::Presses presses;
         for (int i = 0; i < 400; ++i) {
           const FingerWrenches forces = presses.next();
           plan.step(forces, a);
@@ -83,31 +67,6 @@ TEST(Step, WithAndWithoutTheRecordIsTheSameMotionBitForBit) {
         EXPECT_NE(a.X_WO.p.norm() + a.X_WO.q.vec().norm(), 0.0);
       }
 }
-
-/// Grasps that hold, slide, graze the thresholds and let go, and now and then numbers that no
-/// sensor sends.
-class Grasps {
- public:
-  FingerWrenches next() {
-    FingerWrenches forces;
-    const double press_N = 2.0 * unit();
-    for (auto& wrench : forces) {
-      const double fz_N = unit() < 0.2 ? 0.6 * unit() - 0.1 : press_N;
-      const double tangential_N = unit() < 0.2 ? 1.5 * fz_N : 0.5 * fz_N;
-      wrench.force = Vec3(tangential_N * unit(), tangential_N * unit(), fz_N);
-      if (unit() < 0.01)
-        wrench.force[static_cast<Eigen::Index>(3.0 * unit())] =
-            kOdd[static_cast<std::size_t>(unit() * static_cast<double>(kOdd.size()))];
-    }
-    return forces;
-  }
-
- private:
-  static constexpr std::array kOdd{0.0,  -0.0,   5e-324, 1e-170, -1e-140, 1e-139,
-                                   1e60, -1e139, 1e145,  kNaN,   kInf,    -kInf};
-  double unit() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
-  std::mt19937_64 random_{12};
-};
 
 TEST(Step, EveryKernelGivesTheBitsOfTheTwoHalvesOnEveryProcessor) {
   constexpr std::array<const char*, 3> kAxes{"\"x\"", "\"y\"", "\"z\""};
@@ -131,7 +90,7 @@ TEST(Step, EveryKernelGivesTheBitsOfTheTwoHalvesOnEveryProcessor) {
         ObjectState whole = plan.initial_state();
         ObjectState halves = whole;
         ObjectState narrow = whole;
-        Grasps grasps;
+        test::HardPresses grasps;
         int held = 0;
         for (int i = 0; i < 600; ++i) {
           const FingerWrenches forces = grasps.next();
@@ -251,7 +210,7 @@ TEST(Step, PowerThatTheFingersGiveIsPowerThatTheObjectTakes) {
   // Duality of the grasp map: f . (G^T v) = (G f) . v for any motion.
   const Scene scene = scene_with(kAll);
   const Plan plan = test::plan_of(scene);
-  Presses presses;
+  test::Presses presses;
   for (int i = 0; i < 100; ++i) {
     ObjectState state = plan.initial_state();
     const GraspWrench wrench = plan.grasp(presses.next(), state);
@@ -259,7 +218,7 @@ TEST(Step, PowerThatTheFingersGiveIsPowerThatTheObjectTakes) {
     const Vec3 w(0.5, 1.0, -0.4);
     double at_fingers = 0.0;
     double size = 0.0;
-    Presses again;
+    test::Presses again;
     FingerWrenches forces;
     for (int j = 0; j <= i; ++j) forces = again.next();
     for (const auto& contact : scene.contacts) {

@@ -71,6 +71,7 @@ void add_carry(const PatientFacts& facts, PatientPicture& picture) {
     seen.of[hand] = {of.p_W, of.bubble_W, of.beyond};
     look_at(of.bubble_W, seen.half_size_m, seen);
   }
+  look_at(seen.target_W, seen.size_m, seen);
   if (facts.task != nullptr)
     for (const tasks::TargetPlace& target : facts.task->targets())
       look_at(target.p_WT, seen.size_m, seen);

@@ -136,7 +136,8 @@ void rotation_step(benchmark::State& bench) {
   so3::SpinRate rate({{1e-4, 2e-4, 3e-4}, Vec3::Constant(1e-3), Vec3::Constant(0.2)});
   rate.load({{0.01, -0.02, 0.03}, Vec3::Zero()});
   const so3::SpinVector start = so3::pack({so3::exp({0.5, -0.4, 0.3}), {3.0, -2.0, 4.0}});
-  for (auto _ : bench) benchmark::DoNotOptimize(so3::explicit_step(rate, start, kHold_s, nullptr));
+  for (auto _ : bench)
+    benchmark::DoNotOptimize(so3::explicit_step(so3::Order::eighth, rate, start, kHold_s, nullptr));
 }
 BENCHMARK(rotation_step);
 

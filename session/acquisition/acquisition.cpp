@@ -81,7 +81,7 @@ void Acquisition::obey(const Command& command) noexcept {
       if (trial_ == nullptr || !apparatus_.let_go()) break;
       push_event(kLetGoEvent, "The therapist let the object go."_text);
       break;
-    case Command::Kind::clutch: apparatus_.hold_clutch(command.held); break;
+    case Command::Kind::clutch: now_.clutch_held = command.held; break;
     case Command::Kind::abort:
       if (trial_ != nullptr) end_trial(storage::TrialStatus::aborted, command.reason);
       break;

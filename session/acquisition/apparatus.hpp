@@ -163,8 +163,6 @@ class Apparatus {
   /// The therapist lets what is held in the running trial go for the person; false: nothing is, or
   /// it is no object of the screen.
   [[nodiscard]] virtual bool let_go() noexcept { return false; }
-  /// A pedal that a person may hold beside what the device measures: a clutch of hands on a screen.
-  virtual void hold_clutch(bool) noexcept {}
 
   // Of the newest frame.
   /// The acquisition writes here what it knows.

@@ -50,6 +50,7 @@ struct Moment {
   Timestamp published{0};       ///< on the session's clock: its age tells live from stale
   Stage stage = Stage::idle;
   PauseCause pause_cause = PauseCause::none;
+  bool clutch_held = false;    ///< a pedal that a person may hold beside what the device measures
   double zero_progress = 0.0;  ///< 0 … 1 while zeroing
   bool zeroed = false;         ///< a zero that was measured in this session is in force
 

@@ -80,9 +80,10 @@ void CarriedByHands::show(CarriedView& view) const noexcept {
 void CarriedByHands::press(const OfHands<Vec3>& push_W, bool clutch, CarriedView& view) noexcept {
   bimanual::HandsInput input;
   for (const Hand hand : kBothHands) input.push_N[place_of(hand)] = push_W[hand];
-  input.clutch.fill(clutch);
+  // With bubbles the pedal does nothing, and nothing says that it does.
+  view.clutch = clutch && hands_.scene().hands.explore == bimanual::Explore::clutch;
+  input.clutch.fill(view.clutch);
   hands_.see(input);
-  view.clutch = clutch;
   show(view);
 }
 

@@ -250,7 +250,7 @@ void TwoPlatforms::begin(TrialSetup& setup) noexcept {
   now_.special = {};
   now_.lifted.reset();
   now_.carried.reset();
-  clutch_held_ = false;
+  now_.clutch_held = false;
   auto& object = trial_->object;
   if (object) object->begin(now_.lifted.emplace());
   if (trial_->carried) {
@@ -293,9 +293,9 @@ void TwoPlatforms::step() noexcept {
   }
   if (trial_->carried) {
     CarriedView& carried = *now_.carried;
-    if (pair_ != nullptr) clutch_held_ = pair_->holds_clutch();
+    const bool clutch = now_.clutch_held || (pair_ != nullptr && pair_->holds_clutch());
     if (now_.of.left.push_W && now_.of.right.push_W)
-      trial_->carried->press({*now_.of.left.push_W, *now_.of.right.push_W}, clutch_held_, carried);
+      trial_->carried->press({*now_.of.left.push_W, *now_.of.right.push_W}, clutch, carried);
     input.object = &carried.object;
     input.touches = {carried.held, carried.held};
   }

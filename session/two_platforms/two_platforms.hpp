@@ -65,7 +65,6 @@ class TwoPlatforms final : public Apparatus {
   void write(const RowFrame& frame, TrialRow& row) noexcept override;
   void move() noexcept override;
   void publish() noexcept override;
-  void hold_clutch(bool held) noexcept override { clutch_held_ = held; }
   void show() noexcept override;
 
   void begin(Preparation& preparation) noexcept override;
@@ -83,8 +82,7 @@ class TwoPlatforms final : public Apparatus {
   std::string library_;  ///< folder with scenes/
   ApparatusInfo info_;
   Latest<TwoPlatformsSnapshot> snapshots_;
-  TwoPlatformsSnapshot now_;  ///< the state that is published
-  bool clutch_held_ = false;
+  TwoPlatformsSnapshot now_;                     ///< the state that is published
   int carries_begun_ = 0;                        ///< in trials of this session
   std::optional<tasks::HandsCarry> carried_as_;  ///< likewise, how
   TwoPlatformsTrial* trial_ = nullptr;

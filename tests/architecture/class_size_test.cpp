@@ -20,7 +20,6 @@ constexpr int kMostFunctions = 25;
 /// Those that may have more, each with its reason.
 const std::map<std::string, std::string>& larger_ones() {
   static const std::map<std::string, std::string> kLarger{
-      {"Apparatus", "the moments in the life of a device, one call each"},
       {"SessionStore", "a table: the acts on records, two lines each"},
       {"ForwardingStore", "the same table"},
       {"SqliteStore", "the same table"},

@@ -64,13 +64,14 @@ class Operator {
     ASSERT_TRUE(wait_until([&] { return !windows_.presenter().state().busy(); }));
   }
 
-  void choose_task(std::string_view kind) const {
+  /// The first one of this kind, or the one of this name.
+  void choose_task(std::string_view kind, std::string_view name = "") const {
     auto& list = find<QListWidget>("tasks");
     for (int row = 0; row < list.count(); ++row) {
       const auto number = list.item(row)->data(Qt::UserRole);
       if (!number.isValid()) continue;  // a heading
       const auto& task = windows_.presenter().state().library.tasks[number.toUInt()];
-      if (task.kind->name != kind) continue;
+      if (task.kind->name != kind || (!name.empty() && task.name != name)) continue;
       list.setCurrentRow(row);
       return;
     }

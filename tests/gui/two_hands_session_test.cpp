@@ -230,6 +230,41 @@ TEST_F(BothInWindows, AWholeSessionGoesFromBothZerosThroughRestAndMaximaToOneFor
   }));
 }
 
+TEST_F(BothInWindows, ASecondPedalIsTheClutchOfBothHandsAndDoesNothingToBubbles) {
+  operator_.prepare_both(kPair);
+  operator_.put_both_in();
+  const auto carried = [&]() -> const std::optional<CarryPicture>& {
+    static const std::optional<CarryPicture> kNone;
+    static PatientPicture seen;
+    seen = picture();
+    return seen.two_hands ? seen.two_hands->carry : kNone;
+  };
+  ASSERT_TRUE(wait_until([&] { return view().may_begin; })) << view().sentence;
+  for (const char* first : {"bilateral_rest", "bilateral_maximum"}) {
+    operator_.choose_task(first);
+    operator_.run_task();
+  }
+  for (const bool clutch : {true, false}) {
+    operator_.choose_task("bimanual_pick_place",
+                          clutch ? "Two hands, carry: clutch" : "Two hands, carry: bubbles");
+    operator_.start_task();
+    ASSERT_TRUE(wait_until([&] { return carried() && carried()->target_shown; }, 20));
+    QTest::keyPress(&windows_.therapist(), Qt::Key_F6);
+    if (clutch) {
+      EXPECT_TRUE(wait_until([&] { return carried() && carried()->clutch; }));
+      EXPECT_EQ(picture().headline, "Your hands stay where they are");
+      // The person in software has a foot of its own, which is never down for so long.
+      EXPECT_FALSE(wait_until([&] { return !carried() || !carried()->clutch; }, 2));
+    } else {
+      EXPECT_FALSE(wait_until([&] { return carried() && carried()->clutch; }, 1));
+    }
+    QTest::keyRelease(&windows_.therapist(), Qt::Key_F6);
+    EXPECT_TRUE(wait_until([&] { return carried() && !carried()->clutch; }));
+    windows_.presenter().trials().stop();
+    ASSERT_TRUE(wait_until([&] { return view().may_choose_task; })) << view().sentence;
+  }
+}
+
 TEST_F(BothInWindows, EveryPageHoldsItsWordsInEveryLanguage) {
   for (const std::string language : every(isograsp::test::every_language())) {
     const Spoken spoken(language.c_str());

@@ -14,6 +14,7 @@
 #include <emmintrin.h>
 #endif
 
+#include "grasp_model/lanes.hpp"
 #include "grasp_model/plan.hpp"
 
 namespace isograsp {
@@ -22,8 +23,7 @@ namespace {
 
 using Pair = double __attribute__((vector_size(16)));
 using PairMask = long long __attribute__((vector_size(16)));
-using Four = PlanLanes::Four;
-using Mask = PlanLanes::Mask;
+using Mask = LaneMask;
 
 constexpr double kLeast = PlanLanes::kLeast;
 constexpr double kMost = PlanLanes::kMost;
@@ -52,15 +52,6 @@ constexpr std::array<std::array<bool, kFingerCount>, 8> kContact{{{false, false,
   return static_cast<unsigned>((mask[0] & 1) | (mask[1] & 2) | (mask[2] & 4));
 #endif
 }
-[[gnu::always_inline]] inline bool everywhere(const Mask& mask) noexcept {
-  const PairMask both =
-      __builtin_shufflevector(mask, mask, 0, 1) & __builtin_shufflevector(mask, mask, 2, 3);
-#if defined(__SSE2__)
-  return _mm_movemask_pd(reinterpret_cast<__m128d>(both)) == 3;
-#else
-  return (both[0] & both[1]) != 0;
-#endif
-}
 
 /// Two components that stand next to each other, and pairs side by side.
 [[gnu::always_inline]] inline Pair pair_at(const double* first) noexcept {
@@ -69,10 +60,6 @@ constexpr std::array<std::array<bool, kFingerCount>, 8> kContact{{{false, false,
 }
 [[gnu::always_inline]] inline Four beside(const Pair& low, const Pair& high) noexcept {
   return __builtin_shufflevector(low, high, 0, 1, 2, 3);
-}
-
-[[gnu::always_inline]] inline Four only(const Mask& where, const Four& values) noexcept {
-  return reinterpret_cast<Four>(where & reinterpret_cast<Mask>(values));
 }
 
 /// Sums over the fingers, thumb first, of one row and of two rows side by side.
@@ -118,13 +105,13 @@ struct LaneKernels {
     // learns that, and waits for no comparison.
     const Mask plain = (fz > lanes.presses_above) & (tangential_squared <= holds_squared) &
                        (holds_squared < kMost);
-    if (everywhere(plain)) {
+    if (in_every_lane(plain)) {
       state.contact = {true, true, true};
     } else {
       const Mask stays = fz > lanes.stays_above;
       const Mask usual =
           (holds_squared + tangential_squared < kMost) & ~(stays & (holds_squared <= kLeast));
-      if (!everywhere(usual)) return plan.step_any(wrench_C, state);
+      if (!in_every_lane(usual)) return plan.step_any(wrench_C, state);
       const unsigned set =
           set_of(fz > lanes.touches_above) | (set_of(state.contact) & set_of(stays));
       state.contact = kContact[set];

@@ -9,25 +9,22 @@
 
 namespace isograsp {
 
-namespace {
-
-using so3::kBodies;
-
-}  // namespace
+namespace {}  // namespace
 
 Batch::Batch(const Plan& plan, std::size_t count) : Batch(std::vector<const Plan*>(count, &plan)) {}
 
 Batch::Batch(std::vector<const Plan*> plans) : plans_(std::move(plans)) {
-  for (std::size_t first = 0; first < size(); first += kBodies) {
+  for (std::size_t first = 0; first < size(); first += kLaneCount) {
     BatchTerms::Plans of{};
-    for (std::size_t lane = 0; lane < kBodies; ++lane)
+    for (std::size_t lane = 0; lane < kLaneCount; ++lane)
       of[lane] = plans_[std::min(first + lane, size() - 1)];
     const auto same = std::find_if(terms_.begin(), terms_.end(),
                                    [&](const BatchTerms& terms) { return terms.plans == of; });
     BatchBlock& block = blocks_.emplace_back();
     block.terms = static_cast<std::size_t>(same - terms_.begin());
     if (same == terms_.end()) terms_.emplace_back(of);
-    for (std::size_t lane = 0; lane < kBodies; ++lane) block.set(lane, of[lane]->initial_state());
+    for (std::size_t lane = 0; lane < kLaneCount; ++lane)
+      block.set(lane, of[lane]->initial_state());
   }
 }
 
@@ -36,14 +33,15 @@ Batch::Batch(Batch&& other) noexcept = default;
 Batch& Batch::operator=(Batch&& other) noexcept = default;
 
 ObjectState Batch::state(std::size_t i) const noexcept {
-  return blocks_[i / kBodies].get(i % kBodies);
+  return blocks_[i / kLaneCount].get(i % kLaneCount);
 }
 
 void Batch::set_state(std::size_t i, const ObjectState& state) noexcept {
-  BatchBlock& block = blocks_[i / kBodies];
-  block.set(i % kBodies, state);
+  BatchBlock& block = blocks_[i / kLaneCount];
+  block.set(i % kLaneCount, state);
   if (i + 1 == size())
-    for (std::size_t lane = size() % kBodies; lane % kBodies != 0; ++lane) block.set(lane, state);
+    for (std::size_t lane = size() % kLaneCount; lane % kLaneCount != 0; ++lane)
+      block.set(lane, state);
 }
 
 void Batch::step(std::span<const FingerWrenches> wrench_C, bool narrow) noexcept {
@@ -107,7 +105,7 @@ BatchTerms::BatchTerms(const Plans& of) : plans(of) {
   const bool turns = first.rotations_ == Plan::Rotations::one_axis;
   turn_axis = static_cast<std::size_t>(first.axis_);
   spins = first.rotations_ == Plan::Rotations::three;
-  for (std::size_t lane = 0; lane < kBodies; ++lane) {
+  for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
     take_fingers(*plans[lane], lane);
     take_axes(*plans[lane], lane, translations + (turns ? 1 : 0));
     if (spins) take_rates(*plans[lane], lane);

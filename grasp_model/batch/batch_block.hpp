@@ -6,9 +6,9 @@
 #include <array>
 #include <cstddef>
 
-#include "grasp_model/batch/bodies.hpp"
 #include "grasp_model/batch/spin_bodies.hpp"
 #include "grasp_model/free_turn.hpp"
+#include "grasp_model/lanes.hpp"
 #include "grasp_model/plan.hpp"
 #include "hand/finger.hpp"
 
@@ -16,16 +16,13 @@ namespace isograsp {
 
 /// What moves of four objects, an object a lane; as ObjectState.
 struct alignas(32) BatchBlock {
-  using Many = so3::Bodies;
-  using Mask = so3::BodyMask;
-
-  std::array<Many, 4> q{};  ///< w x y z
-  std::array<Many, 3> p{}, v{}, w{};
-  Many angle{};
-  std::array<Mask, kFingerCount> contact{};
-  std::array<double, so3::kBodies> error_rad{};
-  std::array<int, so3::kBodies> level{};
-  std::array<bool, so3::kBodies> exceeded{};
+  std::array<Four, 4> q{};  ///< w x y z
+  std::array<Four, 3> p{}, v{}, w{};
+  Four angle{};
+  std::array<LaneMask, kFingerCount> contact{};
+  std::array<double, kLaneCount> error_rad{};
+  std::array<int, kLaneCount> level{};
+  std::array<bool, kLaneCount> exceeded{};
   std::size_t terms = 0;  ///< which of Batch
 
   [[nodiscard]] ObjectState get(std::size_t lane) const noexcept;
@@ -34,42 +31,40 @@ struct alignas(32) BatchBlock {
 
 /// What four plans have of their objects' motion, a plan a lane.
 struct alignas(32) BatchTerms {  // a vector asks alignof, which says 16 where there is no AVX
-  using Many = so3::Bodies;
-  using Mask = so3::BodyMask;
-  using Plans = std::array<const Plan*, so3::kBodies>;
-  using Rows = std::array<const FingerWrenches*, so3::kBodies>;
+  using Plans = std::array<const Plan*, kLaneCount>;
+  using Rows = std::array<const FingerWrenches*, kLaneCount>;
 
   explicit BatchTerms(const Plans& of);
 
   Plans plans;
   bool side_by_side = false;  ///< else nothing below counts, and each object moves by itself
   // Fingers: as PlanLanes, by finger.
-  std::array<Many, kFingerCount> friction, touches_above, stays_above, presses_above;
-  std::array<std::array<bool, 8>, so3::kBodies> acts{};  ///< by plan and set of fingers
+  std::array<Four, kFingerCount> friction, touches_above, stays_above, presses_above;
+  std::array<std::array<bool, 8>, kLaneCount> acts{};  ///< by plan and set of fingers
   /// Of f_x f_y f_z of each finger, by row of the grasp map.
-  std::array<std::array<std::array<Many, 3>, kFingerCount>, 6> columns;
+  std::array<std::array<std::array<Four, 3>, kFingerCount>, 6> columns;
   // Axes: the free translations in their order, behind them the one free rotation.
   std::array<std::size_t, 3> axes{};  ///< of the translations
   std::size_t turn_axis = 0;
-  Many branch;
-  std::array<Many, 4> weight, anchor, force_share, position_share, x_of_v, x_of_off, v_of_v,
+  Four branch;
+  std::array<Four, 4> weight, anchor, force_share, position_share, x_of_v, x_of_off, v_of_v,
       v_of_off;
-  std::array<Mask, 4> about_rest;
+  std::array<LaneMask, 4> about_rest;
   bool some_about_rest = false;
   // Three free rotations.
   bool spins = false;
-  std::array<so3::SpinRate, so3::kBodies> rate;
-  std::array<FreeTurn::Terms, so3::kBodies> turn_terms;
+  std::array<so3::SpinRate, kLaneCount> rate;
+  std::array<FreeTurn::Terms, kLaneCount> turn_terms;
   so3::BodyRates rates;
-  Many hold_s, tolerance_rad;
-  Mask world, watched;
+  Four hold_s, tolerance_rad;
+  LaneMask world, watched;
   bool some_watched = false;
   /// Of SpinRate::fastest(): least torque that a speed costs, and the rate of spring and damper.
-  Many resisting, own_rate;
+  Four resisting, own_rate;
   /// All but three free rotations: these get their torque. False: some object needs the long way,
   /// and nothing has changed.
   using Press = bool(const BatchTerms&, const Rows&, BatchBlock&,
-                     std::array<Many, 3>& torque) noexcept;
+                     std::array<Four, 3>& torque) noexcept;
   /// Of these plans, on this processor and on one without wide registers.
   Press* press = nullptr;
   Press* narrow = nullptr;

@@ -16,13 +16,6 @@ namespace isograsp {
 
 namespace {
 
-using so3::in_every_body;
-using so3::in_some_body;
-using so3::kBodies;
-using so3::only;
-using so3::roots;
-using Many = BatchTerms::Many;
-using BatchMask = BatchTerms::Mask;
 using BatchRows = BatchTerms::Rows;
 
 /// What is done for 0, 1, … count - 1, in straight code.
@@ -35,35 +28,35 @@ template <std::size_t count, class Do>
 }
 
 /// Forces of one finger on four objects, contact axes [N].
-struct ManyForces {
-  Many x, y, z;
+struct FourForces {
+  Four x, y, z;
 };
-[[gnu::always_inline]] inline ManyForces forces_of(const BatchRows& rows, std::size_t f) noexcept {
+[[gnu::always_inline]] inline FourForces forces_of(const BatchRows& rows, std::size_t f) noexcept {
   static_assert(offsetof(Wrench, torque) == 3 * sizeof(double));  // t_x stands behind f_z
   using Unaligned = double __attribute__((vector_size(32), aligned(8), may_alias));
-  const auto load = [&](std::size_t row) __attribute__((always_inline))->Many {
+  const auto load = [&](std::size_t row) __attribute__((always_inline))->Four {
     return *reinterpret_cast<const Unaligned*>((*rows[row])[f].force.data());
   };
-  const Many a = load(0), b = load(1), c = load(2), d = load(3);
-  const Many xz_ab = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-  const Many xz_cd = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-  const Many y_ab = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-  const Many y_cd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  const Four a = load(0), b = load(1), c = load(2), d = load(3);
+  const Four xz_ab = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+  const Four xz_cd = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+  const Four y_ab = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const Four y_cd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
   return {__builtin_shufflevector(xz_ab, xz_cd, 0, 1, 4, 5),
           __builtin_shufflevector(y_ab, y_cd, 0, 1, 4, 5),
           __builtin_shufflevector(xz_ab, xz_cd, 2, 3, 6, 7)};
 }
 
-using FingersOfMany = std::array<ManyForces, kFingerCount>;
+using FingersOfFour = std::array<FourForces, kFingerCount>;
 
 /// What the fingers press with behind hysteresis, grasp rule and friction. False: some object needs
 /// Plan's own way; then nothing has changed.
 [[gnu::always_inline]] inline bool grip(const BatchTerms& terms, BatchBlock& block,
-                                        FingersOfMany& forces) noexcept {
+                                        FingersOfFour& forces) noexcept {
   constexpr double kLeast = PlanLanes::kLeast;
   constexpr double kMost = PlanLanes::kMost;
-  std::array<Many, kFingerCount> holds, holds_squared, tangential_squared;
-  BatchMask plain = so3::kEveryBody;  // all press, none slides
+  std::array<Four, kFingerCount> holds, holds_squared, tangential_squared;
+  LaneMask plain = kEveryLane;  // all press, none slides
   unrolled<kFingerCount>([&](std::size_t f) __attribute__((always_inline)) {
     const auto& [x, y, z] = forces[f];
     holds[f] = terms.friction[f] * z;
@@ -72,34 +65,33 @@ using FingersOfMany = std::array<ManyForces, kFingerCount>;
     plain &= (z > terms.presses_above[f]) & (tangential_squared[f] <= holds_squared[f]) &
              (holds_squared[f] < kMost);
   });
-  if (in_every_body(plain)) {
-    unrolled<kFingerCount>([&](std::size_t f) __attribute__((always_inline)) {
-      block.contact[f] = so3::kEveryBody;
-    });
+  if (in_every_lane(plain)) {
+    unrolled<kFingerCount>([&](std::size_t f)
+                               __attribute__((always_inline)) { block.contact[f] = kEveryLane; });
     return true;
   }
-  BatchMask usual = so3::kEveryBody;
-  std::array<BatchMask, kFingerCount> on;
+  LaneMask usual = kEveryLane;
+  std::array<LaneMask, kFingerCount> on;
   unrolled<kFingerCount>([&](std::size_t f) __attribute__((always_inline)) {
-    const BatchMask stays = forces[f].z > terms.stays_above[f];
+    const LaneMask stays = forces[f].z > terms.stays_above[f];
     usual &= (holds_squared[f] + tangential_squared[f] < kMost) &
              ~(stays & (holds_squared[f] <= kLeast));
     on[f] = (forces[f].z > terms.touches_above[f]) | (block.contact[f] & stays);
   });
-  if (!in_every_body(usual)) return false;
-  BatchMask acts = so3::kEveryBody;
-  if (!in_every_body(on[0] & on[1] & on[2]))
-    for (std::size_t lane = 0; lane < kBodies; ++lane) {
+  if (!in_every_lane(usual)) return false;
+  LaneMask acts = kEveryLane;
+  if (!in_every_lane(on[0] & on[1] & on[2]))
+    for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
       const auto set =
           static_cast<unsigned>((on[0][lane] & 1) | (on[1][lane] & 2) | (on[2][lane] & 4));
       acts[lane] = terms.acts[lane][set] ? -1 : 0;
     }
   unrolled<kFingerCount>([&](std::size_t f) __attribute__((always_inline)) {
-    const BatchMask passes = acts & on[f];
+    const LaneMask passes = acts & on[f];
     auto& [x, y, z] = forces[f];
-    if (!in_every_body(tangential_squared[f] <= holds_squared[f])) {
-      Many kept = holds[f] / roots(tangential_squared[f]);
-      kept = kept < 1.0 ? kept : Many{1.0, 1.0, 1.0, 1.0};
+    if (!in_every_lane(tangential_squared[f] <= holds_squared[f])) {
+      Four kept = holds[f] / roots(tangential_squared[f]);
+      kept = kept < 1.0 ? kept : Four{1.0, 1.0, 1.0, 1.0};
       x = kept * x;
       y = kept * y;
     }
@@ -112,8 +104,8 @@ using FingersOfMany = std::array<ManyForces, kFingerCount>;
 }
 
 /// Sum over the fingers of a row of the grasp map, thumb first.
-[[gnu::always_inline]] inline Many sum_of_row(const BatchTerms& terms, std::size_t r,
-                                              const FingersOfMany& forces) noexcept {
+[[gnu::always_inline]] inline Four sum_of_row(const BatchTerms& terms, std::size_t r,
+                                              const FingersOfFour& forces) noexcept {
   const auto of = [&](std::size_t f) __attribute__((always_inline)) {
     const auto& c = terms.columns[r][f];
     return (c[0] * forces[f].x + c[1] * forces[f].y) + c[2] * forces[f].z;
@@ -123,41 +115,41 @@ using FingersOfMany = std::array<ManyForces, kFingerCount>;
 
 /// One hold of axis `a` under this force. `translates`: about an anchor, with the weight.
 template <bool translates>
-[[gnu::always_inline]] inline void advance_axis(const BatchTerms& terms, std::size_t a, Many force,
-                                                Many& x, Many& v) noexcept {
-  Many at = x;
+[[gnu::always_inline]] inline void advance_axis(const BatchTerms& terms, std::size_t a, Four force,
+                                                Four& x, Four& v) noexcept {
+  Four at = x;
   if constexpr (translates) {
     force += terms.weight[a];
     at -= terms.anchor[a];
   }
-  Many base = at;
+  Four base = at;
   if (terms.some_about_rest) {
     force *= terms.force_share[a];
     base = terms.about_rest[a] ? force : at;
   }
-  const Many off = force - terms.position_share[a] * at;
-  const Many to = base + (terms.x_of_v[a] * v + terms.x_of_off[a] * off);
+  const Four off = force - terms.position_share[a] * at;
+  const Four to = base + (terms.x_of_v[a] * v + terms.x_of_off[a] * off);
   v = terms.v_of_v[a] * v + terms.v_of_off[a] * off;
   x = translates ? terms.anchor[a] + to : to;
 }
 
 [[gnu::always_inline]] inline void set_attitudes(const BatchTerms& terms,
                                                  BatchBlock& block) noexcept {
-  const Many& angle = block.angle;
-  const Many u = angle * angle;
-  const Many u2 = u * u;
+  const Four& angle = block.angle;
+  const Four u = angle * angle;
+  const Four u2 = u * u;
   const auto half_turn = [&](const auto& c) __attribute__((always_inline)) {
-    const Many low = (c[0] + u * c[1]) + u2 * (c[2] + u * c[3]);
-    const Many high = (c[4] + u * c[5]) + u2 * c[6];
+    const Four low = (c[0] + u * c[1]) + u2 * (c[2] + u * c[3]);
+    const Four high = (c[4] + u * c[5]) + u2 * c[6];
     return low + (u2 * u2) * high;
   };
-  Many& real = block.q[0];
-  Many& imaginary = block.q[terms.turn_axis + 1];
+  Four& real = block.q[0];
+  Four& imaginary = block.q[terms.turn_axis + 1];
   real = half_turn(so3::kHalfTurn[0]) * terms.branch;
   imaginary = half_turn(so3::kHalfTurn[1]) * (terms.branch * angle);
-  const BatchMask near = (angle <= so3::kNear_rad) & (angle >= -so3::kNear_rad);
-  if (in_every_body(near)) return;
-  for (std::size_t lane = 0; lane < kBodies; ++lane) {
+  const LaneMask near = (angle <= so3::kNear_rad) & (angle >= -so3::kNear_rad);
+  if (in_every_lane(near)) return;
+  for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
     if (near[lane] != 0) continue;
     const auto [cosine, sine] = so3::cos_sin(0.5 * angle[lane]);
     real[lane] = terms.branch[lane] * cosine;
@@ -168,8 +160,8 @@ template <bool translates>
 template <std::size_t translations, Plan::Rotations rotations>
 [[gnu::always_inline]] inline bool press_and_move(const BatchTerms& terms, const BatchRows& rows,
                                                   BatchBlock& block,
-                                                  std::array<Many, 3>& torque) noexcept {
-  FingersOfMany forces{forces_of(rows, 0), forces_of(rows, 1), forces_of(rows, 2)};
+                                                  std::array<Four, 3>& torque) noexcept {
+  FingersOfFour forces{forces_of(rows, 0), forces_of(rows, 1), forces_of(rows, 2)};
   if (!grip(terms, block, forces)) return false;
   if constexpr (rotations == Plan::Rotations::three)
     unrolled<3>([&](std::size_t i) __attribute__((always_inline)) {
@@ -189,30 +181,30 @@ template <std::size_t translations, Plan::Rotations rotations>
 
 template <std::size_t translations, Plan::Rotations rotations>
 bool narrow_press(const BatchTerms& terms, const BatchRows& rows, BatchBlock& block,
-                  std::array<Many, 3>& torque) noexcept {
+                  std::array<Four, 3>& torque) noexcept {
   return press_and_move<translations, rotations>(terms, rows, block, torque);
 }
 #if defined(__x86_64__)
 template <std::size_t translations, Plan::Rotations rotations>
 [[gnu::target("avx2")]] bool wide_press(const BatchTerms& terms, const BatchRows& rows,
-                                        BatchBlock& block, std::array<Many, 3>& torque) noexcept {
+                                        BatchBlock& block, std::array<Four, 3>& torque) noexcept {
   return press_and_move<translations, rotations>(terms, rows, block, torque);
 }
 #endif
 
 /// q v q* in the order in which Eigen turns a vector.
-[[gnu::always_inline]] inline std::array<Many, 3> turned_by(const std::array<Many, 4>& q,
-                                                            const std::array<Many, 3>& v,
+[[gnu::always_inline]] inline std::array<Four, 3> turned_by(const std::array<Four, 4>& q,
+                                                            const std::array<Four, 3>& v,
                                                             double sign) noexcept {
-  const Many x = sign * q[1], y = sign * q[2], z = sign * q[3];
-  Many a = y * v[2] - z * v[1], b = z * v[0] - x * v[2], c = x * v[1] - y * v[0];
+  const Four x = sign * q[1], y = sign * q[2], z = sign * q[3];
+  Four a = y * v[2] - z * v[1], b = z * v[0] - x * v[2], c = x * v[1] - y * v[0];
   a += a;
   b += b;
   c += c;
   return {(v[0] + q[0] * a) + (y * c - z * b), (v[1] + q[0] * b) + (z * a - x * c),
           (v[2] + q[0] * c) + (x * b - y * a)};
 }
-[[gnu::always_inline]] inline Many length_of(const std::array<Many, 3>& v) noexcept {
+[[gnu::always_inline]] inline Four length_of(const std::array<Four, 3>& v) noexcept {
   return roots((v[0] * v[0] + v[1] * v[1]) + v[2] * v[2]);
 }
 
@@ -223,13 +215,13 @@ struct SpinStart {
 };
 /// False: a body is too fast for one step of this order.
 [[gnu::always_inline]] inline bool begin_of(const BatchTerms& terms, const BatchBlock& block,
-                                            const std::array<Many, 3>& torque, so3::Order order,
+                                            const std::array<Four, 3>& torque, so3::Order order,
                                             SpinStart& start) noexcept {
-  std::array<Many, 4> q;
+  std::array<Four, 4> q;
   unrolled<4>([&](std::size_t i)
                   __attribute__((always_inline)) { q[i] = terms.branch * block.q[i]; });
   const auto w = turned_by(block.q, block.w, -1.0);
-  start.y = {q[0], q[1], q[2], q[3], w[0], w[1], w[2], Many{}};
+  start.y = {q[0], q[1], q[2], q[3], w[0], w[1], w[2], Four{}};
   unrolled<3>([&](std::size_t i) __attribute__((always_inline)) {
     start.torques.world[i] = only(terms.world, torque[i]);
     start.torques.body[i] = only(~terms.world, torque[i]);
@@ -239,9 +231,9 @@ struct SpinStart {
   start.torques.watched = terms.watched;
   // FreeTurn asks the same of SpinRate::fastest(), which may be rounded otherwise.
   constexpr double kRounding = 1.0 + 1e-12;
-  const Many turn_rad =
+  const Four turn_rad =
       terms.hold_s * (length_of(w) + length_of(torque) / terms.resisting + terms.own_rate);
-  return in_every_body(kRounding * turn_rad <= so3::stable_rad(order));
+  return in_every_lane(kRounding * turn_rad <= so3::stable_rad(order));
 }
 /// The hold was one step. False: of some body it is not good enough, or at the end of what is
 /// exact; nothing has changed.
@@ -249,16 +241,16 @@ struct SpinStart {
                                           BatchBlock& block) noexcept {
   const auto& y = steps.end;
   constexpr double kFar = 1e100;  // nothing overflows
-  BatchMask good = steps.error_rad <= terms.tolerance_rad;
+  LaneMask good = steps.error_rad <= terms.tolerance_rad;
   unrolled<7>([&](std::size_t i)
                   __attribute__((always_inline)) { good &= (y[i] < kFar) & (y[i] > -kFar); });
   if (terms.rates.spring) good &= y[0] > 0.9 * FreeTurn::kCosineOfReach;
-  if (!in_every_body(good)) return false;
-  const Many length = roots((y[0] * y[0] + y[2] * y[2]) + (y[1] * y[1] + y[3] * y[3]));
+  if (!in_every_lane(good)) return false;
+  const Four length = roots((y[0] * y[0] + y[2] * y[2]) + (y[1] * y[1] + y[3] * y[3]));
   unrolled<4>([&](std::size_t i)
                   __attribute__((always_inline)) { block.q[i] = terms.branch * (y[i] / length); });
   block.w = turned_by(block.q, {y[4], y[5], y[6]}, 1.0);
-  for (std::size_t lane = 0; lane < kBodies; ++lane) {
+  for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
     block.error_rad[lane] = steps.error_rad[lane];
     block.exceeded[lane] = false;
   }
@@ -266,7 +258,7 @@ struct SpinStart {
 }
 
 bool narrow_begin(const BatchTerms& terms, const BatchBlock& block,
-                  const std::array<Many, 3>& torque, so3::Order order, SpinStart& start) noexcept {
+                  const std::array<Four, 3>& torque, so3::Order order, SpinStart& start) noexcept {
   return begin_of(terms, block, torque, order, start);
 }
 bool narrow_end(const BatchTerms& terms, const so3::BodySteps& steps, BatchBlock& block) noexcept {
@@ -274,7 +266,7 @@ bool narrow_end(const BatchTerms& terms, const so3::BodySteps& steps, BatchBlock
 }
 #if defined(__x86_64__)
 [[gnu::target("avx2")]] bool wide_begin(const BatchTerms& terms, const BatchBlock& block,
-                                        const std::array<Many, 3>& torque, so3::Order order,
+                                        const std::array<Four, 3>& torque, so3::Order order,
                                         SpinStart& start) noexcept {
   return begin_of(terms, block, torque, order, start);
 }
@@ -289,7 +281,7 @@ constexpr auto* wide_end = &narrow_end;
 
 /// Nearly every hold: one step of one order for all, and good enough. False: one of them needs
 /// more; nothing has changed.
-bool spin_at_once(const BatchTerms& terms, const std::array<Many, 3>& torque, BatchBlock& block,
+bool spin_at_once(const BatchTerms& terms, const std::array<Four, 3>& torque, BatchBlock& block,
                   bool narrow) noexcept {
   const int level = block.level[0];
   if (terms.some_watched || level > 0) return false;
@@ -304,14 +296,14 @@ bool spin_at_once(const BatchTerms& terms, const std::array<Many, 3>& torque, Ba
 }
 
 /// Any hold: bodies take their steps together while they want the same order.
-void spin_step_by_step(const BatchTerms& terms, const std::array<Many, 3>& torque,
+void spin_step_by_step(const BatchTerms& terms, const std::array<Four, 3>& torque,
                        BatchBlock& block, bool narrow) noexcept {
   const auto of = [&](const auto& vector, std::size_t lane) {
     return Vec3(vector[0][lane], vector[1][lane], vector[2][lane]);
   };
-  std::array<std::optional<FreeTurn>, kBodies> bodies;
+  std::array<std::optional<FreeTurn>, kLaneCount> bodies;
   so3::BodyTorques torques;
-  for (std::size_t lane = 0; lane < kBodies; ++lane) {
+  for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
     const FreeTurn& body = bodies[lane].emplace(
         terms.rate[lane], terms.turn_terms[lane], of(torque, lane),
         Quat(block.q[0][lane], block.q[1][lane], block.q[2][lane], block.q[3][lane]),
@@ -327,7 +319,7 @@ void spin_step_by_step(const BatchTerms& terms, const std::array<Many, 3>& torqu
   const auto absorb = [](FreeTurn& body, const so3::SpinStep& step) {
     if (body.accepts(step)) body.advance(step);
   };
-  for (std::size_t first = 0; first < kBodies;) {
+  for (std::size_t first = 0; first < kLaneCount;) {
     FreeTurn& one = *bodies[first];
     if (!one.turning()) {
       ++first;
@@ -340,9 +332,9 @@ void spin_step_by_step(const BatchTerms& terms, const std::array<Many, 3>& torqu
     // Those that want what this one wants.
     const so3::Order order = order_of(one.level());
     so3::BodySpins y;
-    Many h_s;
-    std::array<bool, kBodies> together{};
-    for (std::size_t lane = 0; lane < kBodies; ++lane) {
+    Four h_s;
+    std::array<bool, kLaneCount> together{};
+    for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
       const FreeTurn& body = *bodies[lane];
       together[lane] = body.turning() && !body.stiff() && order_of(body.level()) == order;
       for (std::size_t i = 0; i < y.size(); ++i)
@@ -356,7 +348,7 @@ void spin_step_by_step(const BatchTerms& terms, const std::array<Many, 3>& torqu
     }
     so3::BodySteps steps;
     so3::explicit_steps(order, terms.rates, torques, y, h_s, steps, narrow);
-    for (std::size_t lane = 0; lane < kBodies; ++lane) {
+    for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
       if (!together[lane]) continue;
       so3::SpinStep step;
       for (std::size_t i = 0; i < y.size(); ++i)
@@ -366,7 +358,7 @@ void spin_step_by_step(const BatchTerms& terms, const std::array<Many, 3>& torqu
       absorb(*bodies[lane], step);
     }
   }
-  for (std::size_t lane = 0; lane < kBodies; ++lane) {
+  for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
     block.level[lane] = bodies[lane]->level();
     Quat q_WO;
     Vec3 w_WO_W;
@@ -384,7 +376,7 @@ void spin_step_by_step(const BatchTerms& terms, const std::array<Many, 3>& torqu
 
 void step_each(const BatchTerms& terms, const BatchRows& rows, BatchBlock& block,
                bool narrow) noexcept {
-  for (std::size_t lane = 0; lane < kBodies; ++lane) {
+  for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
     ObjectState state = block.get(lane);
     if (narrow)
       terms.plans[lane]->step_narrow(*rows[lane], state);
@@ -399,7 +391,7 @@ void step_each(const BatchTerms& terms, const BatchRows& rows, BatchBlock& block
 void step_block(const BatchTerms& terms, const BatchRows& rows, BatchBlock& block,
                 bool narrow) noexcept {
   narrow = narrow || terms.press == terms.narrow;  // this processor has no wide registers
-  std::array<Many, 3> torque;
+  std::array<Four, 3> torque;
   if (!terms.side_by_side || !(narrow ? terms.narrow : terms.press)(terms, rows, block, torque))
     return step_each(terms, rows, block, narrow);
   if (terms.spins && !spin_at_once(terms, torque, block, narrow))

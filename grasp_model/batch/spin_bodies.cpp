@@ -17,7 +17,7 @@ namespace isograsp::so3 {
 
 namespace {
 
-using B = Bodies;
+using B = Four;
 
 struct NoWork {};
 /// Attitude and velocity; the work where `works`.
@@ -65,16 +65,16 @@ template <bool works>
 }
 
 /// Lanes that leave the near way of angle_ratio().
-[[gnu::noinline, gnu::cold]] void take_far_ratios(const B& s2, const B& w, const BodyMask& near,
+[[gnu::noinline, gnu::cold]] void take_far_ratios(const B& s2, const B& w, const LaneMask& near,
                                                   B& ratio) noexcept {
-  for (std::size_t i = 0; i < kBodies; ++i)
+  for (std::size_t i = 0; i < kLaneCount; ++i)
     if (near[i] == 0) ratio[i] = angle_ratio(s2[i], w[i]);
 }
 [[gnu::always_inline]] inline B angle_ratios(const B& s2, const B& w) noexcept {
   const B inverse = 1.0 / w;
   B ratio = 2.0 * inverse * atan_ratio<B>(s2 * inverse * inverse);
-  const BodyMask near = (w > 0.0) & (s2 <= kAtanReach * (w * w));
-  if (!in_every_body(near)) [[unlikely]]
+  const LaneMask near = (w > 0.0) & (s2 <= kAtanReach * (w * w));
+  if (!in_every_lane(near)) [[unlikely]]
     take_far_ratios(s2, w, near, ratio);
   return ratio;
 }
@@ -85,7 +85,7 @@ template <bool works>
                                                    const Spins<works>& y) noexcept {
   const B &w = y.q0, &x = y.qx, &p = y.qy, &z = y.qz;
   B tx = t.body[0], ty = t.body[1], tz = t.body[2];
-  if (in_some_body(
+  if (in_some_lane(
           t.has_world)) {  // R^T tau = tau - w s + v x s, s = 2 v x tau, for a unit quaternion
     const B sx = 2.0 * (p * t.world[2] - z * t.world[1]);
     const B sy = 2.0 * (z * t.world[0] - x * t.world[2]);
@@ -110,7 +110,7 @@ template <bool works>
       ty -= stiff * p;
       tz -= stiff * z;
     } else {
-      for (std::size_t i = 0; i < kBodies; ++i) {
+      for (std::size_t i = 0; i < kLaneCount; ++i) {
         const Vec3 spring =
             spring_torque({ratio[i] * x[i], ratio[i] * p[i], ratio[i] * z[i]}, r.stiffness[i]);
         tx[i] += spring.x();
@@ -186,7 +186,7 @@ template <Order order, bool works, RateOf<works>& rate>
     const State error3 = scheme::error3(k);
     const B angle5 = angles_of(error5), angle3 = angles_of(error3);
     const B size5 = sizes_of(error5, h_s), size3 = sizes_of(error3, h_s);
-    for (std::size_t i = 0; i < kBodies; ++i)
+    for (std::size_t i = 0; i < kLaneCount; ++i)
       out.error_rad[i] = scheme::estimate(h_s[i], angle5[i], angle3[i], size5[i], size3[i]);
     if constexpr (works) {
       const B size = h_s * sizes_of(scheme::coarser(k), h_s);
@@ -230,10 +230,9 @@ constexpr const BodyStepTable& kWideSteps = kNarrowSteps;
 }  // namespace
 
 void explicit_steps(Order order, const BodyRates& rates, const BodyTorques& torques,
-                    const BodySpins& start, const Bodies& h_s, BodySteps& out,
-                    bool narrow) noexcept {
+                    const BodySpins& start, const Four& h_s, BodySteps& out, bool narrow) noexcept {
   const BodyStepTable& steps = narrow ? kNarrowSteps : kWideSteps;
-  steps[static_cast<std::size_t>(order)][in_some_body(torques.watched) ? 1 : 0](rates, torques,
+  steps[static_cast<std::size_t>(order)][in_some_lane(torques.watched) ? 1 : 0](rates, torques,
                                                                                 start, h_s, out);
 }
 

@@ -6,39 +6,38 @@
 
 #include <array>
 
-#include "grasp_model/batch/bodies.hpp"
+#include "grasp_model/lanes.hpp"
 #include "grasp_model/spin.hpp"
 
 namespace isograsp::so3 {
 
-/// Bodies without a massless axis, all with a spring or all without.
+/// Four without a massless axis, all with a spring or all without.
 struct alignas(32) BodyRates {
-  std::array<Bodies, 3> inverse_inertia, damping, gyroscopic;  ///< gyroscopic: I_k - I_j
-  Bodies even_stiffness;
-  std::array<Vec3, kBodies> stiffness;  ///< by body
+  std::array<Four, 3> inverse_inertia, damping, gyroscopic;  ///< gyroscopic: I_k - I_j
+  Four even_stiffness;
+  std::array<Vec3, kLaneCount> stiffness;  ///< by body
   bool spring = false;
   bool even_spring = false;  ///< each body has one stiffness about all axes: even_stiffness
 };
 /// What a hold does to them; as Torques.
 struct alignas(32) BodyTorques {
-  std::array<Bodies, 3> world{}, body{};
-  BodyMask has_world{};  ///< that in world axes is not zero
-  BodyMask watched{};    ///< SpinRate::watched()
+  std::array<Four, 3> world{}, body{};
+  LaneMask has_world{};  ///< that in world axes is not zero
+  LaneMask watched{};    ///< SpinRate::watched()
 };
 
 /// A SpinVector of each: w x y z, angular velocity, work.
-using BodySpins = std::array<Bodies, 8>;
+using BodySpins = std::array<Four, 8>;
 
 /// As SpinStep.
 struct alignas(32) BodySteps {
   BodySpins end;
-  Bodies error_rad, coarser_rad;
+  Four error_rad, coarser_rad;
 };
 
 /// Real-time safe. `narrow`: without the wide registers of this
 /// processor.
 void explicit_steps(Order order, const BodyRates& rates, const BodyTorques& torques,
-                    const BodySpins& start, const Bodies& h_s, BodySteps& out,
-                    bool narrow) noexcept;
+                    const BodySpins& start, const Four& h_s, BodySteps& out, bool narrow) noexcept;
 
 }  // namespace isograsp::so3

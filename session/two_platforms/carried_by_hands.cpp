@@ -3,8 +3,7 @@
 
 #include <utility>
 
-#include "core/files.hpp"
-#include "session/library/library.hpp"
+#include "session/two_platforms/named_scene.hpp"
 #include "session/two_platforms/side_of.hpp"
 
 namespace isograsp::session {
@@ -33,12 +32,8 @@ Result<CarriedByHands> CarriedByHands::make(const std::string& scene, const std:
 Result<CarriedByHands> CarriedByHands::read(const tasks::TaskSpec& spec,
                                             const tasks::TaskContext& context,
                                             const std::string& library) {
-  const auto path = find_in_library(library, "scenes", spec.scene(), spec.file);
-  if (!path) return path.error();
-  const auto text = read_text(*path);
-  if (!text) return text.error();
-  const auto scene = bimanual::parse_hands_scene(*text, *path);
-  if (!scene) return scene.error();
+  const auto named = named_scene(spec, library);
+  if (!named) return named.error();
   const tasks::HandsCarry carry = *spec.hands_carry();
   CarrySetup setup;
   if (const auto& affected = context.two_hands.affected)
@@ -48,10 +43,10 @@ Result<CarriedByHands> CarriedByHands::read(const tasks::TaskSpec& spec,
     if (of.maximum_N.value_or(0.0) > 0.0)
       setup.of[hand] = tasks::carry_forces(of, carry.edge_fraction);
     else
-      setup.of[hand] = {scene->hands.hands[place_of(hand)].force_at_edge_N.maxCoeff(),
-                        scene->grasp ? scene->grasp->force_on_N[place_of(hand)] : 0.0};
+      setup.of[hand] = {named->scene.hands.hands[place_of(hand)].force_at_edge_N.maxCoeff(),
+                        named->scene.grasp ? named->scene.grasp->force_on_N[place_of(hand)] : 0.0};
   }
-  return make(*text, *path, carry, setup, context.period_s);
+  return make(named->text, named->path, carry, setup, context.period_s);
 }
 
 void CarriedByHands::begin(CarriedView& view) noexcept {

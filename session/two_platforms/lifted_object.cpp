@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/files.hpp"
-#include "session/library/library.hpp"
+#include "session/two_platforms/named_scene.hpp"
 #include "session/two_platforms/side_of.hpp"
 
 namespace isograsp::session {
@@ -38,18 +37,14 @@ Result<LiftedObject> LiftedObject::make(const std::string& scene, const std::str
 Result<LiftedObject> LiftedObject::read(const tasks::TaskSpec& spec,
                                         const tasks::TaskContext& context,
                                         const std::string& library) {
-  const auto path = find_in_library(library, "scenes", spec.scene(), spec.file);
-  if (!path) return path.error();
-  const auto text = read_text(*path);
-  if (!text) return text.error();
-  const auto scene = bimanual::parse_hands_scene(*text, *path);
-  if (!scene) return scene.error();
+  const auto named = named_scene(spec, library);
+  if (!named) return named.error();
   const tasks::HandsLoad load = *spec.hands_load();
-  const auto demand = bimanual::lift_demand(*scene, load.height_m);
+  const auto demand = bimanual::lift_demand(named->scene, load.height_m);
   if (!demand) return demand.error();
   const auto weaker_N = context.two_hands.weaker_N();
   const double strength = weaker_N ? load.level * *weaker_N / demand->force_N() : 1.0;
-  return make(*text, *path, strength > 0.0 ? strength : 1.0, context.period_s);
+  return make(named->text, named->path, strength > 0.0 ? strength : 1.0, context.period_s);
 }
 
 void LiftedObject::begin(LiftedView& view) noexcept {

@@ -21,12 +21,12 @@ namespace {
 
 /// Number of the seed among the keys that follow from that of the audit log; part of the format.
 constexpr std::uint64_t kSigningKey = 1;
-constexpr std::size_t kSeedDigits = 2 * kKeySize;
+constexpr std::size_t kDigitsOfKey = 2 * kKeySize;  // of the secret half and of the public one
 
 /// Nothing: there is none, or it is no key.
 std::optional<Secret> seed_in(const std::string& path) {
   auto line = Secret::from_file(path);
-  if (!line || !is_hex(line->text(), kSeedDigits)) return std::nullopt;
+  if (!line || !is_hex(line->text(), kDigitsOfKey)) return std::nullopt;
   Secret seed(kKeySize);
   sodium_hex2bin(seed.data(), seed.size(), line->text().data(), line->size(), nullptr, nullptr,
                  nullptr);
@@ -125,7 +125,7 @@ Result<std::string> sign_file(const std::string& database, const std::string& fi
 
 Result<FileSignature> check_signature(const std::string& file, SignedKind kind,
                                       const std::string& key) {
-  if (!key.empty() && !is_hex(key, kSeedDigits))
+  if (!key.empty() && !is_hex(key, kDigitsOfKey))
     return refused("is no public key"_text,
                    "give its 64 digits, as isograsp db audit prints them"_text)
         .about("--key");

@@ -14,6 +14,7 @@
 #include "storage/access/signing.hpp"
 #include "storage/access/user_rows.hpp"
 #include "storage/file/remains.hpp"
+#include "storage/file/statement.hpp"
 #include "storage/file/sweep.hpp"
 
 namespace isograsp::storage {
@@ -24,12 +25,10 @@ namespace {
 /// it wrote would be plain text.
 Result<void> close_to_others(Database& database) {
   return database.guard("closing the file to others"_text, [&] {
-    std::string mode;
     database.sql() << "PRAGMA busy_timeout=0";  // who has it open will not be gone in seconds
-    database.sql() << "PRAGMA locking_mode=EXCLUSIVE", soci::into(mode);
-    database.sql() << "PRAGMA journal_mode=DELETE", soci::into(mode);
+    pragma(database.sql(), "locking_mode=EXCLUSIVE");
     database.watch_no_more();  // without a log nothing is as it was opened
-    if (mode != "delete")
+    if (pragma(database.sql(), "journal_mode=DELETE") != "delete")
       throw Refusal{
           failed("cannot be closed to other programs"_text, "close them, then protect it"_text)
               .at(database.path())};

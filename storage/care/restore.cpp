@@ -14,6 +14,7 @@
 #include "storage/access/open_store.hpp"
 #include "storage/access/signing.hpp"
 #include "storage/care/backups.hpp"
+#include "storage/file/statement.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
 
 namespace isograsp::storage {
@@ -22,19 +23,23 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// No other program has the file open; its log, if it can be read, is in it.
-Result<void> close_for_all(const std::string& path) {
+enum class Left { may_be_damaged, is_sound };
+
+/// No other program has the file open; its log is in it. A file that is damaged is left with its
+/// log, as it is.
+Result<void> close_for_all(const std::string& path, Left left) {
   constexpr int kPrimary = 0xFF;
   try {
     soci::session sql(soci::sqlite3, "db=\"" + path + "\" timeout=0");
-    std::string mode;
-    sql << "PRAGMA journal_mode=DELETE", soci::into(mode);
+    pragma(sql, "journal_mode=DELETE");
   } catch (const soci::sqlite3_soci_error& why) {
     const int code = why.result() & kPrimary;
     if (code == SQLITE_BUSY || code == SQLITE_LOCKED)
       return failed("another program has it open"_text, "close that program, then restore"_text)
           .at(path);
-    // Damaged: it is kept with its log, as it is.
+    if (left == Left::is_sound)
+      return failed("the copy could not be written"_text, "check the disk and the folder"_text)
+          .at(path);
   }
   return {};
 }
@@ -129,7 +134,7 @@ Result<void> put_in_place(const std::string& copy, const std::string& target,
   Renamings renamings;
   std::error_code failure;
   if (!kept.empty())
-    if (auto closed = close_for_all(target); !closed) return closed;
+    if (auto closed = close_for_all(target, Left::may_be_damaged); !closed) return closed;
   // The log first: it must never stand beside a file that is not its own. A file that was lost may
   // have left one.
   const std::string aside = kept.empty() ? free_name(target + ".before-restore") : kept;
@@ -177,7 +182,7 @@ Result<Restored> restore_backup(const std::string& backup, const std::string& da
   if (!key) return key.error();
   restored.key = *key;
   auto done = prepare(copy, backup, restored.kept, log_in);
-  if (done) done = close_for_all(copy);
+  if (done) done = close_for_all(copy, Left::is_sound);
   if (done) done = put_in_place(copy, target, restored.kept);
   if (done) return restored;
   Error error = done.error();

@@ -121,13 +121,6 @@ std::string connection(const std::string& real_path, bool read_only) {
          (read_only ? " readonly=true" : "");
 }
 
-template <class T>
-T pragma(soci::session& sql, const std::string& text) {
-  T value{};
-  sql << "PRAGMA " + text, soci::into(value);
-  return value;
-}
-
 bool writable(const std::string& path) {
   return faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0;
 }
@@ -387,16 +380,15 @@ Result<Database> Database::open(const std::string& path, OpenMode how, int oldes
     constexpr int kOff = 0;
     constexpr int kFull = 2;
     database.scratch_ = how == OpenMode::scratch;
-    const int synchronous = database.scratch_ ? kOff : kFull;
-    sql << "PRAGMA synchronous=" + std::to_string(synchronous);
-    database.format_ = pragma<int>(sql, "user_version");
+    const std::string synchronous = std::to_string(database.scratch_ ? kOff : kFull);
+    sql << "PRAGMA synchronous=" + synchronous;
+    database.format_ = std::stoi(pragma(sql, "user_version"));
     if (read_only) {
       for (const std::string& view : schema::views_of(database.format_)) sql << view;
       sql << "PRAGMA query_only=ON";
     }
-    const bool wal = read_only || pragma<std::string>(sql, "journal_mode=WAL") == "wal";
-    if (!wal || pragma<int>(sql, "synchronous") != synchronous ||
-        pragma<int>(sql, "foreign_keys") != 1)
+    const bool wal = read_only || pragma(sql, "journal_mode=WAL") == "wal";
+    if (!wal || pragma(sql, "synchronous") != synchronous || pragma(sql, "foreign_keys") != "1")
       throw Refusal{failed("the database cannot be set to durable writing"_text,
                            "keep it on a local disk"_text)
                         .at(path)};

@@ -82,4 +82,11 @@ std::string_view Statement::bytes(int column) const {
   return {static_cast<const char*>(data), static_cast<std::size_t>(size)};
 }
 
+std::string pragma(soci::session& sql, const std::string& text) {
+  Statement asked(sql, "PRAGMA " + text);
+  std::string answer;
+  while (asked.next()) answer = asked.bytes(0);
+  return answer;
+}
+
 }  // namespace isograsp::storage

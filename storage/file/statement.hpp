@@ -53,4 +53,8 @@ class Statement {
   sqlite_api::sqlite3_stmt* compiled_ = nullptr;
 };
 
+/// What a PRAGMA answers, run to its end: SQLite answers first and writes then, so that one that is
+/// left at its answer has not said whether it could.
+std::string pragma(soci::session& sql, const std::string& text);
+
 }  // namespace isograsp::storage

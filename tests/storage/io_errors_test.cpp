@@ -229,6 +229,12 @@ constexpr std::array kFailures{Failure{"Read", Asked::read, false},
                                Failure{"Memory", Asked::memory, false},
                                Failure{"MemoryForGood", Asked::memory, true}};
 
+bool has_log(soci::session& sql) {
+  int tables = 0;
+  sql << "SELECT count(*) FROM sqlite_schema WHERE name = 'audit_log'", soci::into(tables);
+  return tables > 0;
+}
+
 /// What a file holds, in numbers that are the same whenever an act is done.
 std::string picture_of(const std::string& path) {
   soci::session sql(soci::sqlite3, "db=\"" + path + "\"");
@@ -246,6 +252,9 @@ std::string picture_of(const std::string& path) {
   add("SELECT count(*) || ' ended' FROM sessions WHERE ended_utc IS NOT NULL");
   add("SELECT group_concat(status, ',') FROM (SELECT status FROM trials ORDER BY id)");
   add("SELECT count(*) || ' notes' FROM events WHERE kind = 'note'");
+  if (has_log(sql))
+    add("SELECT group_concat(act, ',') FROM (SELECT act FROM audit_log WHERE act IN ('restore', "
+        "'merge', 'erase', 'protect') AND result = 'done' ORDER BY id)");
   return all;
 }
 

@@ -210,7 +210,10 @@ Result<void> SessionWriter::add_event(const storage::EventRecord& event) {
   if (lost_) return {};
   // As the database holds it, while its keys are there.
   storage::SessionStore* const database = left_ ? left_.get() : store_.get();
-  const auto stored = safe_ ? database->as_stored(patient_.code, event) : event;
+  const auto trial = event.trial_id ? trials_.find(*event.trial_id) : trials_.end();
+  const storage::EventPlace place{patient_.code, session_.uuid,
+                                  trial != trials_.end() ? trial->second->uuid : ""};
+  const auto stored = safe_ ? database->as_stored(place, event) : event;
   return perform(
       [event, database, sealed = stored ? *stored : storage::EventRecord{}, ok = stored.ok()](
           storage::SessionStore& store, Numbers& numbers) -> Result<void> {

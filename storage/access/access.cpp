@@ -99,17 +99,22 @@ Result<void> open_for(Access::Parts& parts, SlotOwner owner, const Secret& passw
                    next == 0 ? "try again"_text : "wait %1 s, then try again"_text(next))
         .at(path);
   }
-  if (const auto proved = prove_accounts(parts.database, keys->audit); !proved) {
+  const auto proved = prove_accounts(parts.database, keys->audit);
+  if (!proved) {
     // The password was right: who tries it again is told the same, not to wait.
     if (parts.writable)
       static_cast<void>(parts.database.transact(
           "logging in"_text, [&] { forget_wrong(parts.database.sql(), slot->id); }));
-    return proved;
+    return proved.error();
   }
 
   const Login before = parts.login->login();
   parts.login->set({std::make_shared<const Keys>(*std::move(keys)), owner.user, false});
   parts.notices = notices_of_head(parts.database, *parts.login);
+  if (!proved->empty())
+    parts.notices.push_back(
+        "names or notes were changed by another program: %1 (run isograsp db check)"_text(
+            proved->front()));
   if (may(owner.user.role, Right::manage) && !has_recovery_key(parts))
     parts.notices.push_back(
         "there is no recovery key: if the passphrase is lost, so is what is sealed; make one with isograsp db recovery-key"_text);

@@ -287,7 +287,8 @@ Result<void> Access::switch_user(const std::string& name, const Secret& pin) {
                      crypto_pwhash_str_verify(reinterpret_cast<const char*>(check->data()),
                                               pin.text().data(), pin.size()) == 0;
   if (right)
-    if (auto proved = prove_accounts(parts_->database, before.keys->audit); !proved) return proved;
+    if (const auto proved = prove_accounts(parts_->database, before.keys->audit); !proved)
+      return proved.error();
   parts_->login->count_pin(user->id, right);
   AuditEntry entry = entry_of("switch user", user->name);
   if (!right) entry.result = "refused";

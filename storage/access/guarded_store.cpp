@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "storage/access/guarded_store.hpp"
 
+#include <ctime>
 #include <filesystem>
 #include <optional>
 
 #include <soci/soci.h>
 
 #include "core/files.hpp"
+#include "core/time.hpp"
 #include "storage/access/audit_chain.hpp"
 #include "storage/access/clinic_key.hpp"
 #include "storage/access/proof.hpp"
-#include "storage/access/sealed_text.hpp"
 #include "storage/file/open_mode.hpp"
 #include "storage/records/patient_code.hpp"
 
@@ -30,6 +31,14 @@ Result<std::shared_ptr<LoginState>> login_at(Database& database, bool writable) 
   }
   return state;
 }
+
+namespace {
+
+TextPlace text_place(const EventPlace& place, const EventRecord& event) {
+  return {kEventText, place.patient_code, row_words(place, event)};
+}
+
+}  // namespace
 
 GuardedStore::GuardedStore(std::unique_ptr<SqliteStore> store, std::shared_ptr<LoginState> state)
     : ForwardingStore(std::move(store)), state_(std::move(state)) {}
@@ -72,12 +81,21 @@ std::string GuardedStore::code_of_session(RowId session) {
       session);
 }
 
-Result<void> GuardedStore::close(std::string& text, const char* column, const std::string& code) {
-  return seal_text(*state_, text, column, code);
+Result<void> GuardedStore::close(std::string& text, const TextPlace& place) {
+  return seal_text(*state_, text, place);
 }
 
-Result<void> GuardedStore::open(std::string& text, const char* column, const std::string& code) {
-  return open_text(*state_, text, column, code, path());
+Result<void> GuardedStore::open(std::string& text, const TextPlace& place) {
+  return open_text(*state_, text, place, database());
+}
+
+EventPlace GuardedStore::place_of(RowId session, const EventRecord& event) {
+  EventPlace place{code_of_session(session),
+                   query_text("SELECT coalesce(uuid, '') FROM sessions WHERE id = :id", session)};
+  if (event.trial_id)
+    place.trial_uuid =
+        query_text("SELECT coalesce(uuid, '') FROM trials WHERE id = :id", *event.trial_id);
+  return place;
 }
 
 Result<PatientRecord> GuardedStore::add_patient(const std::string& code,
@@ -172,34 +190,33 @@ Result<void> GuardedStore::end_session(RowId session, const std::string& ended_u
 
 Result<void> GuardedStore::add_event(RowId session, const EventRecord& event) {
   if (event.kind != kSealedEvent) return behind().add_event(session, event);
-  const auto stored = as_stored(code_of_session(session), event);
+  const auto stored = as_stored(place_of(session, event), event);
   if (!stored) return stored.error();
   return behind().add_event(session, *stored);
 }
 
-Result<EventRecord> GuardedStore::as_stored(const std::string& patient_code,
-                                            const EventRecord& event) {
+Result<EventRecord> GuardedStore::as_stored(const EventPlace& place, const EventRecord& event) {
   EventRecord sealed = event;
   if (event.kind == kSealedEvent)
-    if (const auto done = close(sealed.text, kEventText, patient_code); !done) return done.error();
+    if (const auto done = close(sealed.text, text_place(place, event)); !done) return done.error();
   return sealed;
 }
 
 Result<std::vector<EventRecord>> GuardedStore::events(RowId session) {
   auto all = behind().events(session);
   if (!all || !state_->is_protected()) return all;
-  const std::string code = code_of_session(session);
   for (EventRecord& event : *all)
     if (event.kind == kSealedEvent)
-      if (const auto done = open(event.text, kEventText, code); !done) return done.error();
+      if (const auto done = open(event.text, text_place(place_of(session, event), event)); !done)
+        return done.error();
   return all;
 }
 
 Result<void> GuardedStore::set_profile(RowId patient, const PatientProfile& profile) {
   const std::string code = code_of(patient);
   PatientProfile sealed = profile;
-  if (auto done = close(sealed.notes, kNotes, code); !done) return done;
-  if (auto done = close(sealed.goals, kGoals, code); !done) return done;
+  if (auto done = close(sealed.notes, {kNotes, code, row_words(profile)}); !done) return done;
+  if (auto done = close(sealed.goals, {kGoals, code, row_words(profile)}); !done) return done;
   return logged("change profile", code, "profile",
                 [&] { return behind().set_profile(patient, sealed); });
 }
@@ -208,15 +225,17 @@ Result<PatientProfile> GuardedStore::profile(RowId patient) {
   auto profile = behind().profile(patient);
   if (!profile || !state_->is_protected()) return profile;
   const std::string code = code_of(patient);
-  if (const auto done = open(profile->notes, kNotes, code); !done) return done.error();
-  if (const auto done = open(profile->goals, kGoals, code); !done) return done.error();
+  const RowWords words = row_words(*profile);
+  if (const auto done = open(profile->notes, {kNotes, code, words}); !done) return done.error();
+  if (const auto done = open(profile->goals, {kGoals, code, words}); !done) return done.error();
   return profile;
 }
 
 Result<RowId> GuardedStore::add_treatment_mark(RowId patient, const TreatmentMark& mark) {
   const std::string code = code_of(patient);
   TreatmentMark sealed = mark;
-  if (const auto done = close(sealed.text, kMarkText, code); !done) return done.error();
+  if (const auto done = close(sealed.text, {kMarkText, code, row_words(mark)}); !done)
+    return done.error();
   return logged("change profile", code, "treatment mark added",
                 [&] { return behind().add_treatment_mark(patient, sealed); });
 }
@@ -226,14 +245,16 @@ Result<std::vector<TreatmentMark>> GuardedStore::treatment_marks(RowId patient) 
   if (!all || !state_->is_protected()) return all;
   const std::string code = code_of(patient);
   for (TreatmentMark& mark : *all)
-    if (const auto done = open(mark.text, kMarkText, code); !done) return done.error();
+    if (const auto done = open(mark.text, {kMarkText, code, row_words(mark)}); !done)
+      return done.error();
   return all;
 }
 
 Result<RowId> GuardedStore::add_clinical_score(RowId patient, const ClinicalScore& score) {
   const std::string code = code_of(patient);
   ClinicalScore sealed = score;
-  if (const auto done = close(sealed.text, kScoreText, code); !done) return done.error();
+  if (const auto done = close(sealed.text, {kScoreText, code, row_words(score)}); !done)
+    return done.error();
   return logged("change profile", code, "clinical score added",
                 [&] { return behind().add_clinical_score(patient, sealed); });
 }
@@ -243,14 +264,17 @@ Result<std::vector<ClinicalScore>> GuardedStore::clinical_scores(RowId patient) 
   if (!all || !state_->is_protected()) return all;
   const std::string code = code_of(patient);
   for (ClinicalScore& score : *all)
-    if (const auto done = open(score.text, kScoreText, code); !done) return done.error();
+    if (const auto done = open(score.text, {kScoreText, code, row_words(score)}); !done)
+      return done.error();
   return all;
 }
 
 Result<RowId> GuardedStore::add_primary_measure(RowId patient, const PrimaryMeasure& primary) {
   const std::string code = code_of(patient);
   PrimaryMeasure sealed = primary;
-  if (const auto done = close(sealed.chosen_by, kChosenBy, code); !done) return done.error();
+  if (sealed.chosen_utc.empty()) sealed.chosen_utc = utc_text(std::time(nullptr));
+  if (const auto done = close(sealed.chosen_by, {kChosenBy, code, row_words(sealed)}); !done)
+    return done.error();
   return logged("change profile", code, "primary measure added",
                 [&] { return behind().add_primary_measure(patient, sealed); });
 }
@@ -260,15 +284,19 @@ Result<std::vector<PrimaryMeasure>> GuardedStore::primary_measures(RowId patient
   if (!all || !state_->is_protected()) return all;
   const std::string code = code_of(patient);
   for (PrimaryMeasure& primary : *all)
-    if (const auto done = open(primary.chosen_by, kChosenBy, code); !done) return done.error();
+    if (const auto done = open(primary.chosen_by, {kChosenBy, code, row_words(primary)}); !done)
+      return done.error();
   return all;
 }
 
 Result<RowId> GuardedStore::add_stable_period(RowId patient, const StablePeriod& period) {
   const std::string code = code_of(patient);
   StablePeriod sealed = period;
-  if (const auto done = close(sealed.judged_by, kJudgedBy, code); !done) return done.error();
-  if (const auto done = close(sealed.text, kPeriodText, code); !done) return done.error();
+  if (sealed.judged_utc.empty()) sealed.judged_utc = utc_text(std::time(nullptr));
+  const RowWords words = row_words(sealed);
+  if (const auto done = close(sealed.judged_by, {kJudgedBy, code, words}); !done)
+    return done.error();
+  if (const auto done = close(sealed.text, {kPeriodText, code, words}); !done) return done.error();
   return logged("change profile", code, "stable time added",
                 [&] { return behind().add_stable_period(patient, sealed); });
 }
@@ -278,8 +306,10 @@ Result<std::vector<StablePeriod>> GuardedStore::stable_periods(RowId patient) {
   if (!all || !state_->is_protected()) return all;
   const std::string code = code_of(patient);
   for (StablePeriod& period : *all) {
-    if (const auto done = open(period.judged_by, kJudgedBy, code); !done) return done.error();
-    if (const auto done = open(period.text, kPeriodText, code); !done) return done.error();
+    const RowWords words = row_words(period);
+    if (const auto done = open(period.judged_by, {kJudgedBy, code, words}); !done)
+      return done.error();
+    if (const auto done = open(period.text, {kPeriodText, code, words}); !done) return done.error();
   }
   return all;
 }

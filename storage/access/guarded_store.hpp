@@ -12,6 +12,7 @@
 
 #include "storage/access/audit_log.hpp"
 #include "storage/access/login.hpp"
+#include "storage/access/sealed_text.hpp"
 #include "storage/records/forwarding_store.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
 
@@ -24,7 +25,7 @@ class GuardedStore final : public ForwardingStore<SqliteStore> {
   [[nodiscard]] Result<PatientRecord> add_patient(const std::string& code,
                                                   const std::string& created_utc,
                                                   const std::string& uuid) override;
-  [[nodiscard]] Result<EventRecord> as_stored(const std::string& patient_code,
+  [[nodiscard]] Result<EventRecord> as_stored(const EventPlace& place,
                                               const EventRecord& event) override;
   [[nodiscard]] Result<RowId> begin_session(const SessionRecord& session,
                                             std::span<const SessionAnswer> answers) override;
@@ -79,9 +80,10 @@ class GuardedStore final : public ForwardingStore<SqliteStore> {
   [[nodiscard]] std::string query_text(const std::string& query, RowId id);
   [[nodiscard]] std::string code_of(RowId patient);
   [[nodiscard]] std::string code_of_session(RowId session);
-  /// Seals or opens in place, where the database is protected. `column`: "table.column".
-  [[nodiscard]] Result<void> close(std::string& text, const char* column, const std::string& code);
-  [[nodiscard]] Result<void> open(std::string& text, const char* column, const std::string& code);
+  [[nodiscard]] EventPlace place_of(RowId session, const EventRecord& event);
+  // In place, where the database is protected.
+  [[nodiscard]] Result<void> close(std::string& text, const TextPlace& place);
+  [[nodiscard]] Result<void> open(std::string& text, const TextPlace& place);
 
   std::shared_ptr<LoginState> state_;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "storage/access/proof.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -20,7 +21,7 @@ Result<std::vector<Text>> changes_by_others(Database& database, const LoginState
   const Login login = state.login();
   const auto of_rows = seal_problems(database, audit_key(login));
   if (!of_rows) return of_rows.error();
-  problems.insert(problems.end(), of_rows->begin(), of_rows->end());
+  for (const SealProblem& one : *of_rows) problems.push_back(one.what);
   return problems;
 }
 
@@ -38,15 +39,25 @@ Result<void> prove(Database& database, const LoginState& state) {
       .at(database.path());
 }
 
-Result<void> prove_accounts(Database& database, const Secret& key) {
-  if (database.format() < schema::kSealFormat) return {};
-  constexpr std::array<std::string_view, 2> kAccounts{"key_slots", "users"};
-  const auto problems = seal_problems(database, &key, kAccounts);
+Result<std::vector<Text>> prove_accounts(Database& database, const Secret& key) {
+  std::vector<Text> of_texts;
+  if (database.format() < schema::kSealFormat) return of_texts;
+  // Of events nothing older can be put back: they are neither changed nor removed.
+  constexpr std::array<std::string_view, 7> kOfTexts{
+      "clinical_scores",  "consents",       "identities",     "patient_profiles",
+      "primary_measures", "stable_periods", "treatment_marks"};
+  std::vector<std::string_view> tables{"key_slots", "users"};
+  tables.insert(tables.end(), kOfTexts.begin(), kOfTexts.end());
+  const auto problems = seal_problems(database, &key, tables);
   if (!problems) return problems.error();
-  if (problems->empty()) return {};
-  return failed("accounts or seals were changed by another program: %1"_text(problems->front()),
-                "put back the last backup: isograsp db restore"_text)
-      .at(database.path());
+  for (const SealProblem& one : *problems) {
+    if (std::ranges::find(kOfTexts, one.table) == kOfTexts.end())
+      return failed("accounts or seals were changed by another program: %1"_text(one.what),
+                    "put back the last backup: isograsp db restore"_text)
+          .at(database.path());
+    of_texts.push_back(one.what);
+  }
+  return of_texts;
 }
 
 Result<void> prove_file(const std::string& path) {

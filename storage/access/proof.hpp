@@ -17,8 +17,9 @@ namespace isograsp::storage {
 /// Refused with the first of them, or of what of the schema is not ours.
 [[nodiscard]] Result<void> prove(Database& database, const LoginState& state);
 /// The same of accounts and key slots alone: a revoked account, an old passphrase or PIN that was
-/// put back opens nothing. `key`: of the audit log.
-[[nodiscard]] Result<void> prove_accounts(Database& database, const Secret& key);
+/// put back opens nothing. What of the rows with sealed texts is not what this program wrote, such
+/// as an older text that was put back into its own row. `key`: of the audit log.
+[[nodiscard]] Result<std::vector<Text>> prove_accounts(Database& database, const Secret& key);
 /// prove() on a connection of its own.
 [[nodiscard]] Result<void> prove_file(const std::string& path);
 

@@ -2,7 +2,6 @@
 #include "storage/access/protection.hpp"
 
 #include <filesystem>
-#include <tuple>
 
 #include <soci/soci.h>
 
@@ -36,31 +35,11 @@ Result<void> close_to_others(Database& database) {
 }
 
 /// Seals a column in place; how many texts.
-int seal_column(soci::session& sql, const LoginState& state, const std::string& place) {
-  const std::string table = place.substr(0, place.find('.'));
-  const std::string column = place.substr(table.size() + 1);
-  const bool of_session = place == sealed_column::kEventText;
-  const std::string from = of_session ? " x JOIN sessions s ON s.id = x.session_id JOIN patients p "
-                                        "ON p.id = s.patient_id WHERE x.kind = '" +
-                                            std::string(kSealedEvent) + "' AND x."
-                                      : " x JOIN patients p ON p.id = x.patient_id WHERE x.";
-  std::vector<std::tuple<RowId, std::string, std::string>> texts;
-  RowId row = 0;
-  std::string code;
-  std::string text;
-  {
-    soci::statement select = (sql.prepare << "SELECT x.rowid, p.code, x." + column + " FROM " +
-                                                 table + from + column + " <> ''",
-                              soci::into(row), soci::into(code), soci::into(text));
-    select.execute();
-    while (select.fetch()) texts.emplace_back(row, code, text);
-  }
+int seal_column(soci::session& sql, const LoginState& state, const SealedColumn& column) {
+  const std::vector<StoredText> texts = stored_texts(sql, column);
   const Login login = state.login();
-  for (const auto& [id, of, plain] : texts) {
-    const std::string sealed = seal(login.keys->text, place_of(state, place.c_str(), of), plain);
-    sql << "UPDATE " + table + " SET " + column + " = :sealed WHERE rowid = :id", soci::use(sealed),
-        soci::use(id);
-  }
+  for (const StoredText& plain : texts)
+    replace_text(sql, plain, seal(login.keys->text, bound_to(state, plain.place), plain.text));
   return static_cast<int>(texts.size());
 }
 
@@ -105,7 +84,7 @@ Result<AuditHead> seal_all(Database& database, const std::shared_ptr<LoginState>
                holder_of(id, SlotKind::passphrase).user, false});
     seal_with_keys_of(shared, database);
     int texts = 0;
-    for (const char* column : sealed_column::kAll) texts += seal_column(sql, state, column);
+    for (const SealedColumn& column : sealed_column::kAll) texts += seal_column(sql, state, column);
     const std::string name = std::filesystem::path(database.real_path()).filename();
     database.seals()->seal_all();
     head = append_audit(database, state,

@@ -13,9 +13,11 @@
 #include "storage/access/audit_chain.hpp"
 #include "storage/access/guarded_store.hpp"
 #include "storage/access/proof.hpp"
+#include "storage/access/sealed_text.hpp"
 #include "storage/crypto/content_hash.hpp"
 #include "storage/file/old_formats.hpp"
 #include "storage/file/open_mode.hpp"
+#include "storage/file/schema_access.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
 
 namespace isograsp::storage {
@@ -99,7 +101,9 @@ Result<void> change_tables(const std::string& path, const Migration& migration) 
     sql << "PRAGMA user_version=" + std::to_string(kDatabaseFormat);
     database->begin_to_seal();
     const auto state = login_state_of(*database);
-    database->seals()->seal_all();
+    bind_texts_to_rows(*database, *state);
+    // Rows that have seals keep them: new ones are for what was changed here.
+    if (migration.from < schema::kSealFormat) database->seals()->seal_all();
     (void)append_audit(*database, *state,
                        entry_of("migrate", std::filesystem::path(migration.copy).filename(),
                                 "from format " + std::to_string(migration.from)));
@@ -118,11 +122,10 @@ Result<Migration> migrate_database(const std::string& path) {
   Migration migration{opened->format(), ""};
   const auto login = login_at(*opened, true);
   if (!login) return login.error();
-  if (migration.from == kDatabaseFormat) {
-    // Packed trials get new seals: what was changed by another hand would, too.
+  // Packed trials and texts get new seals: what was changed by another hand would, too.
+  if (migration.from >= schema::kSealFormat)
     if (const auto proved = prove(*opened, **login); !proved) return proved.error();
-    return pack_all(std::move(*opened), migration);
-  }
+  if (migration.from == kDatabaseFormat) return pack_all(std::move(*opened), migration);
   const auto lock = RecordingLock::exclusive_if_free(opened->real_path());
   if (!lock) return lock.error();
   if (!lock->held())

@@ -5,7 +5,7 @@
 namespace isograsp::storage {
 
 /// Format of the files that this program writes (PRAGMA user_version).
-inline constexpr int kDatabaseFormat = 9;
+inline constexpr int kDatabaseFormat = 10;
 
 enum class OpenMode {
   create,    ///< makes the file if it is absent

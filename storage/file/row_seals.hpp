@@ -90,9 +90,13 @@ class RowSeals {
   Secret last_key_;
 };
 
-/// What of the file is not what this program wrote: each row with its table. `only`: of these
-/// tables alone; empty: of all. @pre no transaction is open, a protected database has its key
-[[nodiscard]] Result<std::vector<Text>> seal_problems(Database& database, const Secret* key,
-                                                      std::span<const std::string_view> only = {});
+struct SealProblem {
+  std::string table;
+  Text what;  ///< names the row and its table
+};
+/// What of the file is not what this program wrote. `only`: of these tables alone, and of the lines
+/// themselves; empty: of all. @pre no transaction is open, a protected database has its key
+[[nodiscard]] Result<std::vector<SealProblem>> seal_problems(
+    Database& database, const Secret* key, std::span<const std::string_view> only = {});
 
 }  // namespace isograsp::storage

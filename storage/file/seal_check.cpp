@@ -73,17 +73,17 @@ class SealProof {
       add(table.name, "%1: row %2 is missing"_text(table.name, row));
   }
 
-  [[nodiscard]] std::vector<Text> problems() {
+  [[nodiscard]] std::vector<SealProblem> problems() {
     for (const auto& [table, count] : counts_)
       if (count > kMostProblems)
         problems_.push_back(
-            "%1: %2 more of its rows are not sound"_text(table, count - kMostProblems));
+            {table, "%1: %2 more of its rows are not sound"_text(table, count - kMostProblems)});
     return std::move(problems_);
   }
 
  private:
   void add(const std::string& table, Text problem) {
-    if (++counts_[table] <= kMostProblems) problems_.push_back(std::move(problem));
+    if (++counts_[table] <= kMostProblems) problems_.push_back({table, std::move(problem)});
   }
 
   template <class Take>
@@ -113,14 +113,14 @@ class SealProof {
   const Secret* key_;
   std::map<std::string, LastSeals, std::less<>> last_;
   std::map<std::string, std::size_t, std::less<>> counts_;  ///< of problems, by table
-  std::vector<Text> problems_;
+  std::vector<SealProblem> problems_;
 };
 
 }  // namespace
 
-Result<std::vector<Text>> seal_problems(Database& database, const Secret* key,
-                                        std::span<const std::string_view> only) {
-  std::vector<Text> problems;
+Result<std::vector<SealProblem>> seal_problems(Database& database, const Secret* key,
+                                               std::span<const std::string_view> only) {
+  std::vector<SealProblem> problems;
   const auto done = database.snapshot("checking the seals"_text, [&] {
     std::vector<SealedTable> tables = sealed_tables(database.sql());
     if (!only.empty())

@@ -22,6 +22,13 @@ Result<void> check_word(const std::string& word, const char* field, const Names&
   return refused("'%1' is not known"_text(word), "give one of: %1"_text(listed)).about(field);
 }
 
+TextPlace place_of(const Consent& consent, const std::string& code) {
+  return {sealed_column::kConsentText,
+          code,
+          {consent.on_date, consent.purpose, consent.basis, consent.state, consent.recorded_utc,
+           consent.recorded_by}};
+}
+
 }  // namespace
 
 Result<void> check_consent(const Consent& consent) {
@@ -39,8 +46,11 @@ Result<RowId> add_consent(Access& access, const std::string& code, const Consent
   const auto person = find_person(access, code);
   if (!person) return person.error();
   Consent sealed = consent;
+  const auto user = access.user();
+  sealed.recorded_utc = utc_text(std::time(nullptr));
+  sealed.recorded_by = user ? user->name : "";
   if (const auto done =
-          seal_text(*access.parts().login, sealed.text, sealed_column::kConsentText, person->code);
+          seal_text(*access.parts().login, sealed.text, place_of(sealed, person->code));
       !done)
     return done.error();
   RowId id = 0;
@@ -50,15 +60,12 @@ Result<RowId> add_consent(Access& access, const std::string& code, const Consent
                consent.purpose + ", " + consent.basis + ", " + consent.state),
       [&](AuditEntry&) {
         soci::session& sql = access.parts().database.sql();
-        const std::string now = utc_text(std::time(nullptr));
-        const auto user = access.user();
-        const std::string by = user ? user->name : "";
         sql << "INSERT INTO consents (patient_id, on_date, purpose, basis, state, text, "
                "recorded_utc, recorded_by) VALUES (:id, :date, :purpose, :basis, :state, :text, "
                ":utc, :by)",
             soci::use(person->id), soci::use(sealed.on_date), soci::use(sealed.purpose),
             soci::use(sealed.basis), soci::use(sealed.state), soci::use(sealed.text),
-            soci::use(now), soci::use(by);
+            soci::use(sealed.recorded_utc), soci::use(sealed.recorded_by);
         sql << "SELECT max(id) FROM consents", soci::into(id);
       });
   if (!done) return done.error();
@@ -88,8 +95,8 @@ Result<std::vector<Consent>> consents(Access& access, const std::string& code) {
   });
   if (!done) return done.error();
   for (Consent& consent : all)
-    if (const auto opened = open_text(*parts.login, consent.text, sealed_column::kConsentText,
-                                      person->code, access.path());
+    if (const auto opened =
+            open_text(*parts.login, consent.text, place_of(consent, person->code), parts.database);
         !opened)
       return opened.error();
   return all;

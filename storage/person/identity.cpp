@@ -14,7 +14,6 @@ namespace isograsp::storage {
 
 namespace {
 
-constexpr const char* kColumn = "identities.sealed";
 constexpr char kBetween = '\0';
 
 /// Errors of an identity never repeat it.
@@ -26,14 +25,27 @@ Identity identity_in(const Secret& opened) {
           std::string(all.substr(second + 1))};
 }
 
-Result<Identity> open_identity(Access& access, const std::string& sealed, const std::string& code) {
+/// As the file holds it.
+struct SealedIdentity {
+  std::string code;
+  std::string changed_utc;
+  std::string sealed;
+};
+
+TextPlace place_of(const SealedIdentity& identity) {
+  return {sealed_column::kIdentity, identity.code, {identity.changed_utc}};
+}
+
+Result<Identity> open_identity(Access& access, const SealedIdentity& stored) {
   const Login login = access.parts().login->login();
   if (!login.keys || login.keys->identity.empty())
     return refusal_of(*access.parts().login, Right::identities, access.path());
   const auto opened =
-      unseal(login.keys->identity, place_of(*access.parts().login, kColumn, code), sealed);
+      unseal(login.keys->identity,
+             bound_to(*access.parts().login, place_of(stored), access.parts().database.format()),
+             stored.sealed);
   if (!opened || std::count(opened->text().begin(), opened->text().end(), kBetween) != 2)
-    return failed("the identity of %1 was changed or is damaged"_text(code),
+    return failed("the identity of %1 was changed or is damaged"_text(stored.code),
                   "restore the last backup"_text)
         .at(access.path());
   return identity_in(*opened);
@@ -63,20 +75,22 @@ Result<std::optional<Identity>> read_logged(Access& access, const std::string& c
   AuditEntry entry = entry_of(reading.act, person->code, reading.detail);
   const bool closed = !person->restricted_until.empty() && !reading.though_restricted;
   if (closed) entry.result = "refused";
-  std::string sealed;
-  const auto done = audited(access, "reading an identity"_text, entry, [&](AuditEntry&) {
-    access.parts().database.sql() << "SELECT sealed FROM identities WHERE patient_id = :id",
-        soci::use(person->id), soci::into(sealed);
-    if (!access.parts().database.sql().got_data()) sealed.clear();
-  });
+  SealedIdentity stored{person->code, "", ""};
+  const auto done =
+      audited(access, "reading an identity"_text, entry, [&](AuditEntry&) {
+        access.parts().database.sql()
+            << "SELECT changed_utc, sealed FROM identities WHERE patient_id = :id",
+            soci::use(person->id), soci::into(stored.changed_utc), soci::into(stored.sealed);
+        if (!access.parts().database.sql().got_data()) stored.sealed.clear();
+      });
   if (!done) return done.error();
   if (closed)
     return refused("the records of %1 are restricted until %2"_text(person->code,
                                                                     person->restricted_until),
                    "in an emergency give the reason; it is logged"_text)
         .about("patient code");
-  if (sealed.empty()) return std::optional<Identity>();
-  const auto identity = open_identity(access, sealed, person->code);
+  if (stored.sealed.empty()) return std::optional<Identity>();
+  const auto identity = open_identity(access, stored);
   if (!identity) return identity.error();
   return std::optional(*identity);
 }
@@ -116,16 +130,17 @@ Result<void> set_identity(Access& access, const std::string& code, const Identit
   const Login login = access.parts().login->login();  // another thread may have logged out by now
   if (!login.keys || login.keys->identity.empty())
     return refusal_of(*access.parts().login, Right::identities, access.path());
-  const std::string sealed = seal(
-      login.keys->identity, place_of(*access.parts().login, kColumn, person->code), secret.text());
+  SealedIdentity stored{person->code, utc_text(std::time(nullptr)), ""};
+  stored.sealed =
+      seal(login.keys->identity, bound_to(*access.parts().login, place_of(stored)), secret.text());
   return audited(access, "storing an identity"_text, entry_of("change identity", person->code),
                  [&](AuditEntry&) {
-                   const std::string now = utc_text(std::time(nullptr));
                    access.parts().database.sql()
                        << "INSERT INTO identities (patient_id, changed_utc, sealed) "
                           "VALUES (:id, :utc, :sealed) ON CONFLICT (patient_id) DO UPDATE SET "
                           "changed_utc = excluded.changed_utc, sealed = excluded.sealed",
-                       soci::use(person->id), soci::use(now), soci::use(sealed);
+                       soci::use(person->id), soci::use(stored.changed_utc),
+                       soci::use(stored.sealed);
                  });
 }
 
@@ -144,27 +159,27 @@ Result<std::vector<std::pair<std::string, Identity>>> all_identities(Access& acc
   if (const auto allowed = access.require(Right::identities, "read all identities", ""); !allowed)
     return allowed.error();
   if (const auto log = require_log(access); !log) return log.error();
-  std::vector<std::pair<std::string, std::string>> sealed;
-  const auto done =
-      audited(access, "reading identities"_text, entry_of("read all identities", ""),
-              [&](AuditEntry& entry) {
-                std::pair<std::string, std::string> one;
-                soci::statement select =
-                    (access.parts().database.sql().prepare
-                         << "SELECT p.code, i.sealed FROM identities i JOIN patients p "
-                            "ON p.id = i.patient_id WHERE p.id NOT IN "
-                            "(SELECT patient_id FROM restrictions) ORDER BY p.id",
-                     soci::into(one.first), soci::into(one.second));
-                select.execute();
-                while (select.fetch()) sealed.push_back(one);
-                entry.detail = std::to_string(sealed.size()) + " people";
-              });
+  std::vector<SealedIdentity> sealed;
+  const auto done = audited(
+      access, "reading identities"_text, entry_of("read all identities", ""),
+      [&](AuditEntry& entry) {
+        SealedIdentity one;
+        soci::statement select =
+            (access.parts().database.sql().prepare
+                 << "SELECT p.code, i.changed_utc, i.sealed FROM identities i JOIN patients p "
+                    "ON p.id = i.patient_id WHERE p.id NOT IN "
+                    "(SELECT patient_id FROM restrictions) ORDER BY p.id",
+             soci::into(one.code), soci::into(one.changed_utc), soci::into(one.sealed));
+        select.execute();
+        while (select.fetch()) sealed.push_back(one);
+        entry.detail = std::to_string(sealed.size()) + " people";
+      });
   if (!done) return done.error();
   std::vector<std::pair<std::string, Identity>> all;
-  for (const auto& [code, text] : sealed) {
-    const auto identity = open_identity(access, text, code);
+  for (const SealedIdentity& stored : sealed) {
+    const auto identity = open_identity(access, stored);
     if (!identity) return identity.error();
-    all.emplace_back(code, *identity);
+    all.emplace_back(stored.code, *identity);
   }
   return all;
 }

@@ -25,9 +25,9 @@ class ForwardingStore : public SessionStore {
   [[nodiscard]] Result<void> save_copy(const std::string& to) override {
     return store_->save_copy(to);
   }
-  [[nodiscard]] Result<EventRecord> as_stored(const std::string& patient_code,
+  [[nodiscard]] Result<EventRecord> as_stored(const EventPlace& place,
                                               const EventRecord& event) override {
-    return store_->as_stored(patient_code, event);
+    return store_->as_stored(place, event);
   }
   [[nodiscard]] Result<std::string> database_id() override { return store_->database_id(); }
   [[nodiscard]] Result<PatientRecord> add_patient(const std::string& code,

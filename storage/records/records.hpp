@@ -163,12 +163,22 @@ struct ScoredTrial {
 /// EventRecord::kind of a number beside a rating.
 inline constexpr const char* kShoulderPainEvent = "shoulder_pain";
 
+/// … and of what a rating was before it was corrected, with what it became.
+inline constexpr const char* kCorrectionEvent = "correction";
+
 struct EventRecord {
   std::optional<RowId> trial_id;  ///< nothing: of the session
   double session_time_s = 0.0;
   std::string kind;  ///< "fault", "pause", "resume", "abort", "note"
   std::string text;
   bool operator==(const EventRecord&) const = default;
+};
+
+/// Where an event belongs, in words that are the same in every file.
+struct EventPlace {
+  std::string patient_code;
+  std::string session_uuid;
+  std::string trial_uuid{};  ///< empty: of the session
 };
 
 /// What the patient says after a block of work, 0 (none) to 10.

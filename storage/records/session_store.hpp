@@ -34,7 +34,7 @@ class SessionStore {
   /// stays sealed.
   [[nodiscard]] virtual Result<void> save_copy(const std::string& to) = 0;
   /// As the file holds it: its text is sealed where the database is protected.
-  [[nodiscard]] virtual Result<EventRecord> as_stored(const std::string& patient_code,
+  [[nodiscard]] virtual Result<EventRecord> as_stored(const EventPlace& place,
                                                       const EventRecord& event) = 0;
   /// Which database this is; the same in its copies.
   [[nodiscard]] virtual Result<std::string> database_id() = 0;
@@ -75,9 +75,9 @@ class SessionStore {
                                                         std::span<const ScoredTrial> trials) = 0;
   [[nodiscard]] virtual Result<void> add_event(RowId session, const EventRecord& event) = 0;
   [[nodiscard]] virtual Result<RowId> add_rating(const RatingRecord& rating) = 0;
-  /// Effort and pains of the stored rating `rating.id` become these; what they were is kept in a
-  /// note of the session at `rating.session_time_s`. The time at which they were asked is not
-  /// changed.
+  /// Effort and pains of the stored rating `rating.id` become these; what they were is kept in an
+  /// event of the session (kCorrectionEvent) at `rating.session_time_s`. The time at which they
+  /// were asked is not changed.
   [[nodiscard]] virtual Result<void> correct_rating(const RatingRecord& rating) = 0;
   /// Of a trial that has ended.
   [[nodiscard]] virtual Result<void> mark_helped(RowId trial, bool helped) = 0;

@@ -32,7 +32,7 @@ class SqliteStore final : public SessionStore {
   [[nodiscard]] Result<void> in_place() override;
   [[nodiscard]] bool is_last_hold() override { return database_.is_last_hold(); }
   [[nodiscard]] Result<void> save_copy(const std::string& to) override;
-  [[nodiscard]] Result<EventRecord> as_stored(const std::string& patient_code,
+  [[nodiscard]] Result<EventRecord> as_stored(const EventPlace& place,
                                               const EventRecord& event) override;
   [[nodiscard]] Result<std::string> database_id() override;
   [[nodiscard]] Result<RowId> begin_session(const SessionRecord& session,

@@ -179,7 +179,7 @@ Result<void> SqliteStore::save_copy(const std::string& to) {
   return SqliteStore::backup(to);
 }
 
-Result<EventRecord> SqliteStore::as_stored(const std::string&, const EventRecord& event) {
+Result<EventRecord> SqliteStore::as_stored(const EventPlace&, const EventRecord& event) {
   return event;
 }
 
@@ -261,10 +261,11 @@ Result<void> SqliteStore::correct_rating(const RatingRecord& rating) {
     RatingRecord now = rating;
     now.session_time_s = before->session_time_s;
     write_shoulder_pain(now);
+    const std::string kind = kCorrectionEvent;
     const std::string text = "Rating corrected: " + words(rating) + "; before: " + words(*before);
     sql << "INSERT INTO events (session_id, trial_id, session_time_s, kind, text) "
-           "SELECT session_id, trial_id, :time, 'note', :text FROM ratings WHERE id = :id",
-        soci::use(rating.session_time_s), soci::use(text), soci::use(rating.id);
+           "SELECT session_id, trial_id, :time, :kind, :text FROM ratings WHERE id = :id",
+        soci::use(rating.session_time_s), soci::use(kind), soci::use(text), soci::use(rating.id);
   });
 }
 

@@ -43,7 +43,7 @@ class Rating : public QtTest {
     const auto session = (*store)->recent_sessions(1)->front();
     Stored all{*(*store)->ratings(session.id), {}};
     for (const auto& event : *(*store)->events(session.id))
-      if (event.kind == "note") all.notes.push_back(event.text);
+      if (event.kind == storage::kCorrectionEvent) all.notes.push_back(event.text);
     return all;
   }
 

@@ -163,7 +163,7 @@ TEST_F(Records, ACorrectedRatingIsOneRatingAndSaysWhatItWas) {
   EXPECT_EQ(ratings[0].recorded_utc, "2026-03-01T09:31:01Z");
   const auto events = must(store->events(session_id));
   ASSERT_EQ(events.size(), 1u) << "a correction that was refused leaves none";
-  EXPECT_EQ(events[0].kind, "note");
+  EXPECT_EQ(events[0].kind, kCorrectionEvent);
   EXPECT_EQ(events[0].session_time_s, 64.0);
   EXPECT_EQ(events[0].text, "Rating corrected: effort 3, pain 5; before: effort 8, pain 5");
 }
@@ -188,7 +188,7 @@ TEST_F(Records, ShoulderPainIsKeptBesideItsRatingAndCorrectedWithIt) {
   const auto events = must(store->events(session_id));
   ASSERT_EQ(events.size(), 2u) << "one number, and what it was";
   EXPECT_EQ(std::ranges::count(events, kShoulderPainEvent, &EventRecord::kind), 1);
-  const auto note = std::ranges::find(events, "note", &EventRecord::kind);
+  const auto note = std::ranges::find(events, kCorrectionEvent, &EventRecord::kind);
   ASSERT_NE(note, events.end());
   EXPECT_EQ(note->text,
             "Rating corrected: effort 8, pain 1, shoulder pain 5; before: effort 8, pain 1, "

@@ -199,7 +199,9 @@ struct SealedFile : testing::TestWithParam<bool> {
     const auto mine = must(Access::open(path));
     const LoginState& state = *mine->parts().login;
     const Login login = state.login();
-    auto all = in_words(must(seal_problems(database, audit_key(login))));
+    std::vector<std::string> all;
+    for (const auto& one : must(seal_problems(database, audit_key(login))))
+      all.push_back(english(one.what));
     for (const auto& one : in_words(must(audit_problems(database, state)))) all.push_back(one);
     return all;
   }

@@ -373,6 +373,13 @@ Result<Database> Database::open(const std::string& path, OpenMode how, int oldes
     database.session_ =
         std::make_unique<soci::session>(soci::sqlite3, connection(real_path, sealed));
     soci::session& sql = *database.session_;
+    database.gate_ = std::make_unique<CommitGate>();
+    const auto commits = [](void* gate) {
+      auto& asked = *static_cast<CommitGate*>(gate);
+      asked.refused = asked.refused || asked.closed;
+      return asked.closed ? 1 : 0;
+    };
+    sqlite_api::sqlite3_commit_hook(connection_of(sql), commits, database.gate_.get());
     limit(sql);
     sql << "PRAGMA foreign_keys=ON";
     sql << "PRAGMA trusted_schema=OFF";
@@ -460,6 +467,7 @@ Result<void> Database::in_place() {
 Result<void> Database::enclose(const char* begin, const Text& doing,
                                const std::function<void()>& work) {
   const bool writing = std::string_view(begin) != "BEGIN";
+  const auto given_up = [&] { return explain(path_, doing, SQLITE_NOMEM, ""); };
   const auto stop_if_lost = [&] {
     if (!watch_ || !writing) return;
     if (const auto& fault = watch_->fault(true)) throw Refusal{lost(doing, *fault)};
@@ -467,18 +475,23 @@ Result<void> Database::enclose(const char* begin, const Text& doing,
   auto done = guard(doing, [&] {
     sql() << begin;
     try {
+      *gate_ = {writing, false};
       work();
       seal_rows();
       if (before_commit_) before_commit_();
       stop_if_lost();
+      if (sqlite_api::sqlite3_get_autocommit(connection_of(sql())) != 0) throw Refusal{given_up()};
+      gate_->closed = false;
       sql() << "COMMIT";
       if (seals_) seals_->committed();
     } catch (...) {
+      gate_->closed = false;
       if (seals_) seals_->rolled_back();
       try {
         sql() << "ROLLBACK";
       } catch (const soci::soci_error&) {  // SQLite has rolled back by itself (full disk)
       }
+      if (gate_->refused) throw Refusal{given_up()};
       throw;
     }
   });

@@ -94,6 +94,13 @@ class Database {
   bool scratch_ = false;
   bool read_only_ = false;
   [[nodiscard]] Error lost(const Text& doing, const Text& fault) const;
+  /// Inside a transaction only its own COMMIT commits: where SQLite has rolled back by itself (out
+  /// of memory) and nobody has heard of it, what follows would be stored statement by statement.
+  struct CommitGate {
+    bool closed = false;
+    bool refused = false;
+  };
+  std::unique_ptr<CommitGate> gate_;  ///< outlives the session, which asks it
   std::unique_ptr<soci::session> session_;
   std::unique_ptr<FileWatch> watch_;  ///< none: read only, scratch
   std::function<void()> before_commit_;

@@ -1,38 +1,67 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "storage/file/schema_check.hpp"
 
-#include <algorithm>
 #include <set>
 #include <string>
+#include <tuple>
 
 #include <soci/soci.h>
+#include <soci/sqlite3/soci-sqlite3.h>
 
 #include "storage/file/open_mode.hpp"
 #include "storage/file/schema.hpp"
 
 namespace isograsp::storage {
 
-std::vector<Text> schema_problems(soci::session& sql, int format) {
-  std::set<std::string> missing;
-  for (const std::string& statement : schema::statements())
-    if (statement.starts_with("CREATE ")) missing.insert(statement);
-  std::vector<Text> problems;
+namespace {
+
+/// Type, name, table, statement: all of a row of sqlite_schema but where it begins.
+using SchemaRow = std::tuple<std::string, std::string, std::string, std::string>;
+
+std::set<SchemaRow> schema_of(soci::session& sql) {
+  std::set<SchemaRow> all;
+  std::string type;
   std::string name;
+  std::string table;
   std::string text;
-  // An emergency file says where it belongs in a table of its own.
-  const std::string query =
-      std::string(
-          "SELECT name, sql FROM sqlite_schema WHERE sql IS NOT NULL AND NOT (type = 'table' AND "
-          "name = 'emergency_origin')") +
-      (format < kDatabaseFormat ? " AND type = 'trigger'" : "") + " ORDER BY name";
-  soci::statement select = (sql.prepare << query, soci::into(name), soci::into(text));
+  soci::statement select =
+      (sql.prepare << "SELECT type, name, tbl_name, coalesce(sql, '') FROM "
+                      "main.sqlite_schema",
+       soci::into(type), soci::into(name), soci::into(table), soci::into(text));
   select.execute();
-  while (select.fetch())
-    if (missing.erase(text) == 0)
+  while (select.fetch()) all.emplace(type, name, table, text);
+  return all;
+}
+
+/// Of a new file, with the indexes that SQLite makes by itself.
+const std::set<SchemaRow>& our_schema() {
+  static const std::set<SchemaRow> ours = [] {
+    soci::session memory(soci::sqlite3, ":memory:");
+    for (const std::string& statement : schema::statements()) memory << statement;
+    return schema_of(memory);
+  }();
+  return ours;
+}
+
+}  // namespace
+
+std::vector<Text> schema_problems(soci::session& sql, int format) {
+  const std::set<SchemaRow>& ours = our_schema();
+  const std::set<SchemaRow> there = schema_of(sql);
+  const bool is_old = format < kDatabaseFormat;
+  std::vector<Text> problems;
+  for (const SchemaRow& row : there) {
+    const auto& [type, name, table, text] = row;
+    // An emergency file says where it belongs in a table of its own.
+    if (type == "table" && name == "emergency_origin") continue;
+    if ((!is_old || type == "trigger") && !ours.contains(row))
       problems.push_back("sqlite_schema: %1 was not made by isograsp"_text(name));
-  if (format < kDatabaseFormat) return problems;
-  for (const std::string& statement : missing) {
-    const std::string head = statement.substr(0, statement.find_first_of("(\n"));
+  }
+  if (is_old) return problems;
+  for (const SchemaRow& row : ours) {
+    if (there.contains(row)) continue;
+    const auto& [type, name, table, text] = row;
+    const std::string head = text.empty() ? name : text.substr(0, text.find_first_of("(\n"));
     problems.push_back("sqlite_schema: \"%1\" is missing or was changed"_text(head));
   }
   return problems;

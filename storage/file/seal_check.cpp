@@ -36,12 +36,13 @@ class SealProof {
     read_lines([&](const SealLine& one) {
       if (one.number != expected)
         add("row_seals", "row_seals: rows %1 to %2 are missing"_text(expected, one.number - 1));
-      else if (chain_of(key_, before, one) == one.chain) {
+      else if (key_ != nullptr && !keyed && chain_of(nullptr, before, one) == one.chain) {
+        // Before a database is protected its lines have no key; they prove nothing any more.
+      } else if (chain_of(key_, before, one) == one.chain) {
         keyed = true;
         if (const auto table = last_.find(one.table); table != last_.end())
           table->second[one.row] = one.hash;
-      } else if (key_ == nullptr || keyed || chain_of(nullptr, before, one) != one.chain) {
-        // Before a database is protected its lines have no key; they prove nothing any more.
+      } else {
         add("row_seals", "row_seals: row %1 or one before it was changed"_text(one.number));
       }
       before = one.chain;

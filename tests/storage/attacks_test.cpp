@@ -260,6 +260,37 @@ TEST_F(Attacked, AForeignTriggerIsNamedWhateverItsName) {
   EXPECT_EQ(english(problems[0]), "sqlite_schema: emergency_origin was not made by isograsp");
 }
 
+/// SQLite reads the statements and takes the names beside them as they are, in letters of any size.
+TEST_F(Attacked, AnyWordOfTheSchemaThatIsChangedIsNamed) {
+  const std::string good = folder.file("good.db");
+  must(opened(path, OpenMode::existing)->save_copy(good));
+  test::AtLeast tried(200);
+  for (const char* column : {"name", "tbl_name", "type", "sql"}) {
+    int rows = 0;
+    soci::session(soci::sqlite3, "db=\"" + good + "\"")
+        << "SELECT count(*) FROM sqlite_schema WHERE " + std::string(column) + " <> ''",
+        soci::into(rows);
+    for (int row = 0; row < rows; ++row) {
+      const std::string bad = folder.file("bad.db");
+      fs::copy_file(good, bad, fs::copy_options::overwrite_existing);
+      const std::string changed = column;
+      {
+        soci::session sql(soci::sqlite3, "db=\"" + bad + "\"");
+        sql << "PRAGMA writable_schema=ON";
+        sql << "UPDATE sqlite_schema SET " + changed + " = upper(substr(" + changed +
+                   ", 1, 4)) || lower(substr(" + changed +
+                   ", 5)) WHERE rowid = (SELECT rowid FROM " + "sqlite_schema WHERE " + changed +
+                   " <> '' ORDER BY rowid LIMIT 1 OFFSET " + std::to_string(row) + ")";
+      }
+      const auto store = open_store(bad, OpenMode::read_only);
+      const auto problems = store ? (*store)->check() : Result<std::vector<Text>>(store.error());
+      // Some of them SQLite does not open.
+      EXPECT_TRUE(!problems || !problems->empty()) << column << ", row " << row;
+      ++tried;
+    }
+  }
+}
+
 /// Of the rows that the program writes in the same transaction, too; and after the trigger is gone.
 TEST_F(Attacked, ARowThatATriggerChangesGetsNoSealThoughTheProgramWritesItToo) {
   const std::string mine = "created_utc = '1999-01-01T00:00:00Z' WHERE id = NEW.id; END";

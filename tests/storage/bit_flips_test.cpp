@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <random>
+#include <span>
 
 #include "storage/person/identity.hpp"
 #include "tests/storage/clinic_under_attack.hpp"
@@ -31,6 +32,26 @@ struct BitFlips : ClinicUnderAttack {
 INSTANTIATE_TEST_SUITE_P(, BitFlips, testing::Bool(),
                          [](const auto& one) { return one.param ? "Protected" : "Unprotected"; });
 
+/// Every row, and every signal to the bit. A Zstandard frame has bits that mean nothing: of packed
+/// signals what they say is compared, not how they stand there.
+std::string all_that_is_read(const std::string& path) {
+  auto left_out = test::columns_without_seal();
+  left_out.insert("signal_packs.float64_shuffled_zstd");
+  std::string all = test::content_of_database(path, left_out);
+  const auto store = opened(path, OpenMode::read_only);
+  constexpr int kSessions = 100;
+  for (const SessionRecord& session : must(store->recent_sessions(kSessions)))
+    for (const TrialRecord& trial : must(store->trials(session.id))) {
+      const Signals signals = must(store->signals(trial));
+      for (std::size_t c = 0; c < signals.names().size(); ++c) {
+        const auto column = signals.column(c);
+        const auto bytes = std::as_bytes(std::span(column));
+        all.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+      }
+    }
+  return all;
+}
+
 TEST_P(BitFlips, NoneOfThemChangesWithoutAWordWhatIsRead) {
   // scripts/test --long sets it.
   const int flips = std::getenv("ISOGRASP_LONG") != nullptr ? 10000 : 150;
@@ -39,10 +60,12 @@ TEST_P(BitFlips, NoneOfThemChangesWithoutAWordWhatIsRead) {
   const std::string backup = folder.file("backup.db");  // one file, without a log
   must(opened(path, OpenMode::read_only)->backup(backup));
   const std::string good = bytes_of(backup);
-  const std::string content = test::content_of_database(backup);
+  const std::string content = all_that_is_read(backup);
+  ASSERT_GT(content.size(), 4u * 6000u * sizeof(double)) << "the signals of a minute are among it";
   const std::string copy = folder.file("flipped.db");
   std::mt19937_64 random(20261128);
   int named = 0;
+  int silent = 0;
   for (int flip = 0; flip < flips; ++flip) {
     const std::size_t bit = random() % (8 * good.size());
     std::string bad = good;
@@ -55,11 +78,13 @@ TEST_P(BitFlips, NoneOfThemChangesWithoutAWordWhatIsRead) {
     if (!problems || !problems->empty()) {
       ++named;
     } else {
-      EXPECT_EQ(test::content_of_database(copy), content)
+      ++silent;
+      EXPECT_TRUE(all_that_is_read(copy) == content)
           << "silent: byte " << bit / 8 << ", bit " << bit % 8;
     }
   }
   RecordProperty("named", named);
+  RecordProperty("silent", silent);
   // The others are where nothing is kept: most tables have a page of their own with few rows.
   EXPECT_GT(named, flips / 5);
 }

@@ -393,5 +393,26 @@ TEST_P(InputOutput, AtAnyCallEndsWithASentenceAndASoundFile) {
   }
 }
 
+/// Out of memory SQLite may roll back by itself; what the program goes on to write would be stored
+/// statement by statement.
+TEST(ATransactionThatWasGivenUp, IsAnErrorAndStoresNothingOfWhatFollows) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("clinic.db");
+  must(opened(path)->add_patient("P-1"));
+  auto database = must(Database::open(path, OpenMode::existing));
+  for (const bool goes_on : {false, true}) {
+    const auto done = database.transact("testing"_text, [&] {
+      database.sql() << "UPDATE patients SET created_utc = 'first'";
+      database.sql() << "ROLLBACK";
+      if (goes_on) database.sql() << "UPDATE patients SET created_utc = 'second'";
+    });
+    EXPECT_NE(refusal(done).find("there is not enough memory"), std::string::npos) << refusal(done);
+  }
+  EXPECT_TRUE(must(opened(path, OpenMode::existing)->check()).empty());
+  must(database.transact("testing"_text,
+                         [&] { database.sql() << "UPDATE patients SET created_utc = 'third'"; }));
+  EXPECT_EQ(must(opened(path, OpenMode::existing)->patients()).at(0).created_utc, "third");
+}
+
 }  // namespace
 }  // namespace isograsp::storage::io_errors_test

@@ -48,6 +48,8 @@ Result<void> add_trials_of(storage::SessionStore& store, const storage::SessionR
   work.trials_made += trials->size();
   const double began_s = -seconds_between(earlier.started_utc, session.started_utc);
   for (const storage::TrialRecord& trial : *trials) {
+    if (const auto spec = tasks::parse_task(trial.task_text, trial.task_name))
+      work.carries.add(*spec);
     if (trial.status != storage::TrialStatus::completed || !trial.place) continue;
     auto measures = store.measures(trial.id);
     if (!measures) return measures.error();

@@ -10,6 +10,7 @@
 #include "core/measure.hpp"
 #include "core/result.hpp"
 #include "hand/arm_links.hpp"
+#include "session/two_platforms/carries_begun.hpp"
 #include "storage/records/session_store.hpp"
 #include "tasks/agenda.hpp"
 
@@ -36,6 +37,7 @@ struct EarlierWork {
   std::optional<Hand> affected;               ///< side, of both hands; nothing: it was not known
   std::vector<PassiveLimit> passive;          ///< of its screening, of an arm
   std::vector<EarlierTrial> trials;           ///< in the order in which they were made
+  CarriesBegun carries;                       ///< of both hands, trials that broke off included
   std::size_t trials_made = 0;                ///< broken ones included: no seed is used twice
 };
 

@@ -164,7 +164,7 @@ Result<std::unique_ptr<TrialSetup>> TwoPlatforms::make_trial(const tasks::TaskSp
     if (auto fits = fits_session(*carry, context); !fits) return fits.error();
     auto carried = CarriedByHands::read(spec, context, library_);
     if (!carried) return carried.error();
-    known.carries_left = tasks::kMostCarries - carries_begun_;
+    known.carries_left = tasks::kMostCarries - carries_.carries;
     trial->record.scene_text = carried->text();
     trial->carried = *std::move(carried);
   }
@@ -190,8 +190,8 @@ Result<std::unique_ptr<TrialSetup>> TwoPlatforms::make_trial(const tasks::TaskSp
 /// A patient carries in one way: the next one would be learned from the first.
 Result<void> TwoPlatforms::fits_session(const tasks::HandsCarry& carry,
                                         const tasks::TaskContext& context) const {
-  if (!context.two_hands.affected || !carried_as_) return {};
-  if (carry.clutch == carried_as_->clutch && carry.pinch == carried_as_->pinch) return {};
+  if (!context.two_hands.affected || !carries_.as) return {};
+  if (carry.clutch == carries_.as->clutch && carry.pinch == carries_.as->pinch) return {};
   return refused(
              "a patient has carried in another way in this session"_text,
              "keep to one technique in a session; several are a study of healthy volunteers"_text)
@@ -255,8 +255,7 @@ void TwoPlatforms::begin(TrialSetup& setup) noexcept {
   if (object) object->begin(now_.lifted.emplace());
   if (trial_->carried) {
     trial_->carried->begin(now_.carried.emplace());
-    carries_begun_ += trial_->spec.repetitions();
-    carried_as_ = trial_->spec.hands_carry();
+    carries_.add(trial_->spec);
   }
   if (pair_ == nullptr) return;
   // A simulated person gets to know the object before the trial.

@@ -11,6 +11,7 @@
 #include "core/latest.hpp"
 #include "session/acquisition/apparatus.hpp"
 #include "session/platform/platform_reader.hpp"
+#include "session/two_platforms/carries_begun.hpp"
 #include "session/two_platforms/two_platforms_snapshot.hpp"
 #include "session/two_platforms/two_platforms_trial.hpp"
 #include "virtual_patient/pair/virtual_pair.hpp"
@@ -38,6 +39,9 @@ class TwoPlatforms final : public Apparatus {
   void set_last_zeros(const OfHands<SixAxes>& mean) noexcept {
     for (const Hand hand : kBothHands) sides_[hand].set_last_zero(mean[hand]);
   }
+
+  /// Of the session that is resumed. Before the first trial of this one.
+  void set_carries(const CarriesBegun& carries) noexcept { carries_ = carries; }
 
   // The other functions of Apparatus are called through a pointer to it.
   [[nodiscard]] const ApparatusInfo& info() const noexcept override { return info_; }
@@ -82,9 +86,8 @@ class TwoPlatforms final : public Apparatus {
   std::string library_;  ///< folder with scenes/
   ApparatusInfo info_;
   Latest<TwoPlatformsSnapshot> snapshots_;
-  TwoPlatformsSnapshot now_;                     ///< the state that is published
-  int carries_begun_ = 0;                        ///< in trials of this session
-  std::optional<tasks::HandsCarry> carried_as_;  ///< likewise, how
+  TwoPlatformsSnapshot now_;  ///< the state that is published
+  CarriesBegun carries_;
   TwoPlatformsTrial* trial_ = nullptr;
 };
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "hand/two_hands_columns.hpp"
+#include "session/library/library.hpp"
 #include "session/two_platforms/carried_by_hands.hpp"
 #include "storage/access/open_store.hpp"
 #include "tests/session/whole_session.hpp"
@@ -105,6 +106,94 @@ TEST(CarrySession, AStoredTrialIsReplayedToTheLastBit) {
       else
         hands.move(seen);
     }
+  }
+}
+
+/// A patient's session with more carries than one is asked for; `affected` is said by hand.
+SessionConfig session_of_a_patient(const std::string& database, const ReadyProtocol& protocol) {
+  const std::string uri = "sim://pair?file=healthy&seed=7";
+  SessionConfig config;
+  config.database = database;
+  config.create_database = true;
+  config.patient_code = "P-2";
+  config.device_uri = test::must(two_platforms_uri({uri, uri}));
+  config.hand.reset();
+  config.affected = Hand::left;
+  config.library = kLibrary;
+  config.protocol_name = protocol.spec.name;
+  config.protocol_text = protocol.spec.text;
+  config.virtual_time = true;
+  config.clock_is_right = true;  // sessions in virtual time end ahead of every clock
+  return config;
+}
+
+void wait_for_trial_in(Session& session) {
+  for (;;)
+    for (const auto& news : session.wait_for_news())
+      if (news.trial) return;
+}
+
+struct BrokenOff {};
+
+constexpr const char* kOften = R"(format = "isograsp-protocol-1"
+name = "Carry often"
+[[step]]
+kind = "instrument_zero"
+[[step]]
+kind = "task"
+task = "two_hands_rest.toml"
+[[step]]
+kind = "task"
+task = "two_hands_maximum.toml"
+[[step]]
+kind = "task"
+task = "two_hands_carry.toml"
+repetitions = 4
+)";
+
+TEST(CarrySession, AResumedSessionCountsTheCarriesOfTheOneThatBrokeOffAndKeepsItsTechnique) {
+  const test::TemporaryFolder folder;
+  const std::string database = folder.path("clinic.db");
+  const auto protocol = test::must(read_protocol(folder.write("often.toml", kOften), kLibrary));
+  constexpr int kSecondCarry = 4;  // after zero, rest, maximum and eight carries
+  const auto task = [](const char* name) {
+    return test::must(load_task(test::must(find_in_library(kLibrary, "tasks", name))));
+  };
+  const auto carry = task("two_hands_carry");
+  const auto other_way = task("two_hands_carry_clutch_pinch");
+  ASSERT_EQ(3 * carry.repetitions(), tasks::kMostCarries);
+  auto config = session_of_a_patient(database, protocol);
+  {
+    const auto session = test::must(Session::open(config));
+    try {
+      static_cast<void>(run_protocol(*session, protocol, [&](const ProtocolProgress& at) {
+        if (at.step == kSecondCarry) throw BrokenOff{};
+      }));
+    } catch (const BrokenOff&) {
+    }
+    ASSERT_TRUE(session->start_trial(carry, false).ok());
+    session->let_pass(1.0);  // in its first carry the session ends: counted as a whole
+    session->close();
+  }
+  config.resume = true;
+  for (const int left : test::every(std::vector{1, 0})) {
+    const auto session = test::must(Session::open(config));
+    ASSERT_TRUE(session->start_zero({true, false, 1.0}).ok());
+    static_cast<void>(session->wait_for_news());
+    const auto another = session->start_trial(other_way, false);
+    ASSERT_FALSE(another.ok());
+    EXPECT_NE(another.error().message().find("another way"), std::string::npos)
+        << another.error().message();
+    const auto allowed = session->start_trial(carry, false);
+    EXPECT_EQ(allowed.ok(), left > 0) << left;
+    if (allowed.ok()) {
+      wait_for_trial_in(*session);
+      const auto more = session->start_trial(carry, false);
+      ASSERT_FALSE(more.ok());
+      EXPECT_NE(more.error().message().find("of which 0 are left"), std::string::npos)
+          << more.error().message();
+    }
+    session->close();
   }
 }
 

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "hand/two_hands_columns.hpp"
+#include "session/library/library.hpp"
 #include "session/two_platforms/lifted_object.hpp"
 #include "storage/access/open_store.hpp"
+#include "tasks/kinds/two_hands/bimanual_lift.hpp"
 #include "tests/session/whole_session.hpp"
 #include "tests/support/every.hpp"
 #include "tests/support/must.hpp"
@@ -95,6 +97,70 @@ TEST(LiftSession, AStoredTrialIsReplayedToTheLastBit) {
       ++off_rest;
     }
   }
+}
+
+/// A paretic left hand and a healthy right one which do not disturb each other and see the same at
+/// once; what is asked of both is shared by the maxima to the power `exponent`.
+std::string undisturbed_pair(const test::TemporaryFolder& folder, int exponent) {
+  return folder.write("pair_" + std::to_string(exponent) + ".toml",
+                      "format = \"isograsp-pair-1\"\nname = \"Undisturbed\"\n"
+                      "description = \"Of the law.\"\nleft = \"paretic\"\n"
+                      "right = \"healthy\"\n[together]\ncrosstalk = 0\n"
+                      "crosstalk_delay_s = 0\ncommon_noise = 0\nlag_s = 0\nshare_exponent = " +
+                          std::to_string(exponent) + "\n");
+}
+
+/// What the left hand can do of what both can [%], of their maxima in that session.
+double capacity_of_left(const LiftSession& session) {
+  OfHands<double> maximum_N{0.0, 0.0};
+  for (const Measure& one : session.result.trials.at(1).measures)
+    for (const Hand hand : kBothHands)
+      if (one.name == "maximum_force" && one.channel == name_of(hand))
+        maximum_N[hand] = one.value.value();
+  return 100.0 * maximum_N.left / (maximum_N.left + maximum_N.right);
+}
+
+/// The moments about a tray that hangs still are in balance: a (R_R - R_L) = k tilt, a the arm of a
+/// hand, k the spring of the tilt. So of what both raise, R, the left hand raises
+/// 50 % (1 - k tilt / (a R)): the tray decides, not what hands can do.
+TEST(LiftSession, ALevelTrayGivesEachHandItsHalfWhateverTheHandsCanDo) {
+  const test::TemporaryFolder folder;
+  const std::string pair = undisturbed_pair(folder, 1);
+  const auto task = test::must(load_task(kLibrary + "/tasks/two_hands_lift.toml"));
+  constexpr Eigen::Index kTilt = 5;
+  for (const int seed : test::every(std::vector{1, 2, 3, 4})) {
+    const LiftSession session(pair, seed);
+    auto store = test::must(storage::open_store(session.database, storage::OpenMode::read_only));
+    const auto trial =
+        test::must(store->trials(test::must(store->recent_sessions(1)).at(0).id)).at(2);
+    const double strength = test::must(store->signals(trial)).column(columns::object_strength)[0];
+    const auto tray = test::must(LiftedObject::make(trial.scene_text, "stored", strength, 0.01));
+    LiftedView seen;
+    auto untouched = tray;
+    untouched.begin(seen);
+    const double arm_m = seen.of.right.end_O.x();
+    const double spring_Nm = tray.scene().stiffness[kTilt];
+    const double left_N = session.value("raise_above_rest", "left");
+    const double both_N = left_N + session.value("raise_above_rest", "right");
+    const auto share_at = [&](double tilt_rad) {
+      return 50.0 * (1.0 - spring_Nm * tilt_rad / (arm_m * both_N));
+    };
+    const double share = 100.0 * left_N / both_N;
+    // Its damper, while 0.1 rad of tilt go in the some three seconds that it rises and is held:
+    // half a percent; as much for what it still turns at the end.
+    constexpr double kOff_percent = 1.0;
+    EXPECT_NEAR(share, share_at(session.value("object_tilt_mean", "angle")), kOff_percent) << seed;
+    // Held as level as the task asks, no hand can raise its share of what both can do.
+    const double least = share_at(task.kind.as<tasks::BimanualLiftSpec>().angle_tolerance_rad);
+    EXPECT_GT(share, least) << seed;
+    EXPECT_LT(capacity_of_left(session), least) << seed;
+  }
+}
+
+TEST(LiftSession, HowAPairSharesASumIsNothingToALevelTray) {
+  const test::TemporaryFolder folder;
+  EXPECT_EQ(LiftSession(undisturbed_pair(folder, 0)).measures(),
+            LiftSession(undisturbed_pair(folder, 1)).measures());
 }
 
 TEST(LiftSession, TheSameSeedGivesTheSameBits) {

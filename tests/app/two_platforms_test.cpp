@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole way of both hands as a user goes it: two platforms (in software, on real sockets, or a
 // pair of hands in software), session, database, scores, report, exports.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 
 #include <gtest/gtest.h>
 
@@ -150,15 +153,25 @@ TEST(TwoPlatformsApp, APatientCarriesInOneWayAndTheStudyIsOfVolunteers) {
       << volunteer.out << volunteer.err;
 }
 
-/// Forces that hardly move: quiet enough for a zero, and no sensor that stands still.
-std::string quiet_forces() {
+/// Forces of one hand on its platform, 0.01 s after 0.01 s: quiet enough for a zero, no sensor that
+/// stands still, and what `presses` adds to thumb, index and middle: f_x and f_z of each [N].
+using Presses = std::function<std::array<double, 6>(double t_s)>;
+std::string forces_of_a_hand(double duration_s, const Presses& presses = {}) {
   std::string text =
       "t_s,thumb_fx_N,thumb_fy_N,thumb_fz_N,index_fx_N,index_fy_N,index_fz_N,middle_fx_N,"
       "middle_fy_N,middle_fz_N\n";
-  for (int k = 0; k < 6000; ++k) {
-    text += format_number(k * 0.01);
-    for (int axis = 0; axis < 9; ++axis)
-      text += "," + format_number(0.02 * std::sin(0.3 * k + axis));
+  constexpr double kFrame_s = 0.01;
+  for (int k = 0; k * kFrame_s < duration_s; ++k) {
+    const double t_s = k * kFrame_s;
+    const auto pressed = presses ? presses(t_s) : std::array<double, 6>{};
+    text += format_number(t_s);
+    for (int axis = 0; axis < 9; ++axis) {
+      const auto digit = static_cast<std::size_t>(axis / 3);
+      const double f_N = axis % 3 == 0   ? pressed[2 * digit]
+                         : axis % 3 == 2 ? pressed[2 * digit + 1]
+                                         : 0.0;
+      text += "," + format_number(f_N + 0.02 * std::sin(0.3 * k + axis));
+    }
     text += "\n";
   }
   return text;
@@ -181,18 +194,20 @@ std::string boxes(const TemporaryFolder& folder, const char* hand, int first) {
   return folder.write(std::string(hand) + ".toml", text);
 }
 
+std::string emulated(const std::string& file, int first, const std::string& play, int duration_s) {
+  return "\"" ISOGRASP_EXECUTABLE "\" emulate --protocol net-ft --config " + file +
+         " --on 127.0.0." + std::to_string(first) + ":49552:8552 --play " + play + " --duration " +
+         std::to_string(duration_s) + " --json";
+}
+
 TEST(TwoPlatformsApp, TwoPlatformsOnRealSocketsAreOneSessionWithTheirSkew) {
   const TemporaryFolder folder;
-  const std::string play = folder.write("quiet.csv", quiet_forces());
+  constexpr int kPlay_s = 30;
+  const std::string play = folder.write("quiet.csv", forces_of_a_hand(2.0 * kPlay_s));
   const std::string left = boxes(folder, "left", 21);
   const std::string right = boxes(folder, "right", 31);
-  const auto emulator = [&](const std::string& file, int first) {
-    return "\"" ISOGRASP_EXECUTABLE "\" emulate --protocol net-ft --config " + file +
-           " --on 127.0.0." + std::to_string(first) + ":49552:8552 --play " + play +
-           " --duration 30 --json";
-  };
-  const test::BackgroundCommand left_boxes(emulator(left, 21));
-  const test::BackgroundCommand right_boxes(emulator(right, 31));
+  const test::BackgroundCommand left_boxes(emulated(left, 21, play, kPlay_s));
+  const test::BackgroundCommand right_boxes(emulated(right, 31, play, kPlay_s));
   static_cast<void>(folder.write("rest.toml",
                                  "format = \"isograsp-task-1\"\nname = \"Both at rest\"\n"
                                  "instruction = \"Rest.\"\nkind = \"bilateral_rest\"\n"
@@ -227,6 +242,81 @@ TEST(TwoPlatformsApp, TwoPlatformsOnRealSocketsAreOneSessionWithTheirSkew) {
   for (const char* column :
        {"left_thumb_fz_N", "right_middle_tz_Nm", "left_push_x_N", "skew_s", "left_thumb_fx_counts"})
     EXPECT_NE(table.find(column), std::string::npos) << column;
+}
+
+/// What either hand plays: it rests, then squeezes again and again and pushes inwards and up. Thumb
+/// and fingers press against each other (z of their contacts); what the fingers press more is the
+/// squeeze, x of the contacts is up.
+struct Lifting {
+  double from_s = 14.0;  ///< zero and rest are over
+  double grip_N = 20.0;
+  double squeeze_N = 0.0;
+  double raise_N = 0.0;
+
+  std::array<double, 6> operator()(double t_s) const {
+    constexpr double kPeriod_s = 4.0, kOn_s = 3.0, kRamp_s = 0.3;
+    if (t_s < from_s) return {};
+    const double at_s = std::fmod(t_s - from_s, kPeriod_s);
+    const double level = std::clamp(std::min(at_s, kOn_s - at_s) / kRamp_s, 0.0, 1.0);
+    const double finger_N = 0.5 * (grip_N + squeeze_N);
+    return {level * raise_N, level * grip_N, 0.0, level * finger_N, 0.0, level * finger_N};
+  }
+};
+
+TEST(TwoPlatformsApp, ATrayIsLiftedOnTwoSetsOfBoxesFromSessionToReport) {
+  const TemporaryFolder folder;
+  // tray_on_springs.toml asks 5.5 N up and 10.3 N inwards of each hand; level_fraction of the grip
+  // makes it lighter.
+  Lifting hand;
+  constexpr double kLevel = 0.25, kUp_N = 5.471, kInwards_N = 1.5 * kUp_N / 0.8;
+  const double strength = kLevel * hand.grip_N / std::hypot(kUp_N, kInwards_N);
+  hand.raise_N = strength * kUp_N;
+  hand.squeeze_N = strength * kInwards_N;
+  constexpr int kPlay_s = 60;
+  const std::string play = folder.write("lifting.csv", forces_of_a_hand(2.0 * kPlay_s, hand));
+  const std::string left = boxes(folder, "left", 41);
+  const std::string right = boxes(folder, "right", 51);
+  const test::BackgroundCommand left_boxes(emulated(left, 41, play, kPlay_s));
+  const test::BackgroundCommand right_boxes(emulated(right, 51, play, kPlay_s));
+  const auto task = [&](const std::string& file, const std::string& rest) {
+    static_cast<void>(folder.write(file, "format = \"isograsp-task-1\"\nname = \"" + file +
+                                             "\"\ninstruction = \"Do it.\"\n" + rest));
+    return "[[step]]\nkind = \"task\"\ntask = \"" + file + "\"\n";
+  };
+  // Each effort is longer than the pulses are apart, so that each finds one.
+  const std::string protocol = folder.write(
+      "p.toml",
+      "format = \"isograsp-protocol-1\"\nname = \"Lift\"\n[[step]]\nkind = \"instrument_zero\"\n" +
+          task("rest.toml", "kind = \"bilateral_rest\"\nduration_s = 3\n") +
+          "[[step]]\nkind = \"pause\"\nduration_s = 15\n" +
+          task("maximum.toml",
+               "kind = \"bilateral_maximum\"\nlead_in_s = 1\nsqueeze_s = 5\nrest_s = 0\n") +
+          task("lift.toml",
+               "kind = \"bimanual_lift\"\nscene = \"tray_on_springs\"\nlevel_fraction = 0.25\n"
+               "position_tolerance_m = 0.02\nlifts = 1\nhold_s = 0.5\ntime_limit_s = 10\n"
+               "lead_in_s = 1\n"));
+  const std::string database = folder.path("clinic.db");
+  test::CommandResult run;
+  ASSERT_TRUE(left_boxes.wait_until([&] {
+    run = isograsp("run --protocol-file " + protocol + " --db " + database +
+                   " --patient B-1 --affected left" +
+                   both("'udp://?config=" + left + "'", "'udp://?config=" + right + "'"));
+    return run.status == 0;
+  })) << run.err
+      << left_boxes.err() << right_boxes.err();
+  EXPECT_NE(run.out.find("1 of 1"), std::string::npos) << "it was lifted\n" << run.out;
+  const auto verified = isograsp("db verify " + database);
+  EXPECT_EQ(verified.status, 0) << verified.out << verified.err;
+  const auto report =
+      isograsp("report --patient B-1 --db " + database + " --out " + folder.path("r.html"));
+  EXPECT_EQ(report.status, 0) << report.err;
+  const std::string page = test::must(read_text(folder.path("r.html")));
+  left_boxes.wait_for_end();
+  right_boxes.wait_for_end();
+  EXPECT_EQ(left_boxes.status(), 0) << left_boxes.err();
+  EXPECT_EQ(right_boxes.status(), 0) << right_boxes.err();
+  EXPECT_NE(page.find("Push up, left hand"), std::string::npos) << "the last trial as a table";
+  EXPECT_EQ(page.find("SIMULATED"), std::string::npos) << "boxes on sockets are devices";
 }
 
 }  // namespace

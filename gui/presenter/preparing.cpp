@@ -151,7 +151,7 @@ void Preparing::mark_strapped() {
     open.work.guide.go_on(state_.choices.by_itself);
   open.compensation.strapped();
   preparation.shift_noted = {};
-  auto answers = stored(seating_.posture());
+  auto answers = seating_.posture_answers();
   if (open.both)
     for (auto& answer : stored(preparation.safety)) answers.push_back(std::move(answer));
   if (preparation.zeroed_at) {

@@ -8,7 +8,7 @@ namespace isograsp::gui {
 namespace {
 
 struct LastTime {
-  std::optional<SittingPosture> posture;
+  std::optional<OfHands<SittingPosture>> postures;
   std::optional<Presentation> presentation;
 };
 
@@ -28,10 +28,14 @@ LastTime read_last_time(storage::SessionStore& store, const std::string& code,
       return std::any_of(answers->begin(), answers->end(),
                          [&](const auto& answer) { return answer.topic == topic; });
     };
-    if (!last.posture && hand && session.hand == hand && has("posture"))
-      last.posture = posture_in(*answers);
+    if (!last.postures && session.hand == hand && has("posture")) {
+      if (hand)
+        last.postures.emplace()[*hand] = posture_in(*answers);
+      else
+        last.postures = postures_in(*answers);
+    }
     if (!last.presentation && has("screen")) last.presentation = presentation_in(*answers);
-    if (last.presentation && (last.posture || !hand)) break;
+    if (last.presentation && last.postures) break;
   }
   return last;
 }
@@ -46,7 +50,7 @@ void Seating::look(const std::string& code, std::optional<Hand> hand) {
     presentation_said_ = false;
   }
   if (code != code_ || hand != hand_) {
-    posture_ = last_posture_ = {};
+    postures_ = last_postures_ = {};
     posture_said_ = false;
   }
   code_ = code;
@@ -59,18 +63,23 @@ void Seating::look(const std::string& code, std::optional<Hand> hand) {
       [code, hand](storage::SessionStore& store) { return read_last_time(store, code, hand); },
       [this, lookup](LastTime last) {
         if (lookup != lookups_) return;
-        last_posture_ = last.posture.value_or(SittingPosture{});
-        if (!posture_said_) posture_ = last_posture_;
+        last_postures_ = last.postures.value_or(OfHands<SittingPosture>{});
+        if (!posture_said_) postures_ = last_postures_;
         if (!presentation_said_ && last.presentation) presentation_ = *last.presentation;
         Q_EMIT changed();
       });
 }
 
-void Seating::say_posture(const SittingPosture& posture) {
-  if (posture == posture_) return;
-  posture_ = posture;
+void Seating::say_posture(Hand hand, const SittingPosture& posture) {
+  if (posture == postures_[hand]) return;
+  postures_[hand] = posture;
+  if (!hand_) postures_[other_than(hand)].of(PostureItem::seat) = posture.of(PostureItem::seat);
   posture_said_ = true;
   Q_EMIT changed();
+}
+
+std::vector<storage::SessionAnswer> Seating::posture_answers() const {
+  return hand_ ? stored(postures_[*hand_]) : stored(postures_);
 }
 
 void Seating::say_presentation(const Presentation& presentation) {

@@ -6,11 +6,12 @@
 #include <QObject>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "gui/clinic/clinic.hpp"
 #include "gui/picture/presentation.hpp"
 #include "gui/rules/posture.hpp"
-#include "hand/finger.hpp"
+#include "hand/hands.hpp"
 
 namespace isograsp::gui {
 
@@ -20,16 +21,22 @@ class Seating final : public QObject {
  public:
   explicit Seating(Clinic& clinic, QObject* parent = nullptr);
 
-  /// Looks up how this hand was seated last, and what the patient's screen was like. What was said
-  /// for anybody else, or for the other hand, is forgotten.
+  /// Looks up how this hand was seated last, and what the patient's screen was like; without a hand
+  /// how each was when both worked. What was said for anybody else, or for other hands, is
+  /// forgotten.
   void look(const std::string& code, std::optional<Hand> hand);
-  void say_posture(const SittingPosture& posture);
+  /// Of both hands the seat is that of either.
+  void say_posture(Hand hand, const SittingPosture& posture);
   void say_presentation(const Presentation& presentation);
 
   /// As last time, or as it was said now.
-  [[nodiscard]] const SittingPosture& posture() const noexcept { return posture_; }
-  /// Of this hand; nothing said: there was none.
-  [[nodiscard]] const SittingPosture& last_posture() const noexcept { return last_posture_; }
+  [[nodiscard]] const SittingPosture& posture(Hand hand) const noexcept { return postures_[hand]; }
+  /// Nothing said: there was none.
+  [[nodiscard]] const SittingPosture& last_posture(Hand hand) const noexcept {
+    return last_postures_[hand];
+  }
+  /// As they are stored: of the one hand, or of both.
+  [[nodiscard]] std::vector<storage::SessionAnswer> posture_answers() const;
   [[nodiscard]] const Presentation& presentation() const noexcept { return presentation_; }
 
  Q_SIGNALS:
@@ -39,9 +46,9 @@ class Seating final : public QObject {
   Clinic& clinic_;
   std::string code_;
   std::optional<Hand> hand_;
-  int lookups_ = 0;  ///< the newest one counts
-  SittingPosture posture_;
-  SittingPosture last_posture_;
+  int lookups_ = 0;                   ///< the newest one counts
+  OfHands<SittingPosture> postures_;  ///< of one hand alone the other says nothing
+  OfHands<SittingPosture> last_postures_;
   bool posture_said_ = false;
   Presentation presentation_;
   bool presentation_said_ = false;

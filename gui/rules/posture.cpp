@@ -33,6 +33,12 @@ QString words_of_choice(const std::string& value) {
   return {};
 }
 
+/// As stored of one of both hands.
+std::string name_of_hand(PostureItem item, Hand hand) {
+  if (item == PostureItem::seat) return name_of(item);
+  return std::string(isograsp::name_of(hand)) + "_" + name_of(item);
+}
+
 }  // namespace
 
 const char* name_of(PostureItem item) noexcept {
@@ -101,6 +107,27 @@ SittingPosture posture_in(const std::vector<storage::SessionAnswer>& answers) {
       if (answer.topic == kPostureTopic && answer.item == name_of(item))
         posture.of(item) = answer.value;
   return posture;
+}
+
+std::vector<storage::SessionAnswer> stored(const OfHands<SittingPosture>& postures) {
+  std::vector<storage::SessionAnswer> answers;
+  for (const Hand hand : kBothHands)
+    for (const auto item : kPostureOrder) {
+      const bool said_before = item == PostureItem::seat && hand == Hand::right;
+      if (const auto& value = postures[hand].of(item); !value.empty() && !said_before)
+        answers.push_back({kPostureTopic, name_of_hand(item, hand), value});
+    }
+  return answers;
+}
+
+OfHands<SittingPosture> postures_in(const std::vector<storage::SessionAnswer>& answers) {
+  OfHands<SittingPosture> postures;
+  for (const auto& answer : answers)
+    for (const Hand hand : kBothHands)
+      for (const auto item : kPostureOrder)
+        if (answer.topic == kPostureTopic && answer.item == name_of_hand(item, hand))
+          postures[hand].of(item) = answer.value;
+  return postures;
 }
 
 QString deviations(const SittingPosture& now, const SittingPosture& last) {

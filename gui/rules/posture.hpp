@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the patient sits and is strapped: asked in every session, offered as last time. Pure.
+// How the patient sits and is strapped: asked in every session, of both hands for each of them,
+// offered as last time. Pure.
 #pragma once
 
 #include <QString>
@@ -7,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "hand/hands.hpp"
 #include "storage/records/profile.hpp"
 
 namespace isograsp::gui {
@@ -47,6 +49,10 @@ struct SittingPosture {
 /// As stored with the session; what was not said is left out.
 [[nodiscard]] std::vector<storage::SessionAnswer> stored(const SittingPosture& posture);
 [[nodiscard]] SittingPosture posture_in(const std::vector<storage::SessionAnswer>& answers);
+/// Of both hands at once: the person has one seat, all else is of each hand (`left_elbow_deg`).
+[[nodiscard]] std::vector<storage::SessionAnswer> stored(const OfHands<SittingPosture>& postures);
+[[nodiscard]] OfHands<SittingPosture> postures_in(
+    const std::vector<storage::SessionAnswer>& answers);
 /// "elbow 90° instead of 110°, wrist …"; empty: the same, or nothing to compare with.
 [[nodiscard]] QString deviations(const SittingPosture& now, const SittingPosture& last);
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/session_pages/strap_form.hpp"
 
-#include <QGridLayout>
-#include <QSignalBlocker>
 #include <QStringList>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <vector>
 
 #include "gui/force_pages/safety_form.hpp"
 #include "gui/look/look.hpp"
@@ -14,19 +14,46 @@ namespace isograsp::gui {
 
 namespace {
 
-constexpr int kLongestMark = 60;  // letters
-
 /// "chair with back, elbow 90°, …"
-QString in_words(const SittingPosture& posture) {
+QString in_words(const SittingPosture& posture, bool without_seat) {
   QStringList words;
   for (const auto item : kPostureOrder) {
-    if (posture.of(item).empty()) continue;
+    if (posture.of(item).empty() || (without_seat && item == PostureItem::seat)) continue;
     const auto value = words_of(item, posture.of(item));
     words += item == PostureItem::seat
                  ? value
                  : StrapForm::tr("%1 %2").arg(in_sentence(words_of(item)), value);
   }
   return words.join(QStringLiteral(", "));
+}
+
+std::vector<Hand> hands_in(const SessionState& state) {
+  if (measures_both(state)) return {Hand::left, Hand::right};
+  return {state.choices.today.hand.value_or(Hand::right)};
+}
+
+bool all_as_last_time(SessionPresenter& presenter) {
+  const Seating& seating = presenter.seating();
+  const auto hands = hands_in(presenter.state());
+  return std::all_of(hands.begin(), hands.end(), [&](Hand hand) {
+    const SittingPosture& last = seating.last_posture(hand);
+    return last.said() && seating.posture(hand) == last;
+  });
+}
+
+/// With a place for the posture.
+QString said_words(bool both, Hand hand, bool as_last_time) {
+  if (!both) return as_last_time ? StrapForm::tr("As last time: %1.") : StrapForm::tr("Now: %1.");
+  if (hand == Hand::left)
+    return as_last_time ? StrapForm::tr("Left hand, as last time: %1.")
+                        : StrapForm::tr("Left hand, now: %1.");
+  return as_last_time ? StrapForm::tr("Right hand, as last time: %1.")
+                      : StrapForm::tr("Right hand, now: %1.");
+}
+QString differing_words(bool both, Hand hand) {
+  if (!both) return StrapForm::tr("Not as last time: %1.");
+  return hand == Hand::left ? StrapForm::tr("Left hand, not as last time: %1.")
+                            : StrapForm::tr("Right hand, not as last time: %1.");
 }
 
 }  // namespace
@@ -41,7 +68,7 @@ StrapForm::StrapForm(SessionPresenter& presenter, QWidget* parent)
   edit_->setCheckable(true);
   describe(*edit_, tr("Posture and straps"),
            tr("Say how the patient sits and where the straps are (Alt+D)"));
-  fields_ = make_fields();
+  fields_ = new PostureFields(presenter_);
   fields_->hide();
   deviations_ = new QLabel;
   deviations_->setObjectName("posture_deviations");
@@ -56,10 +83,10 @@ StrapForm::StrapForm(SessionPresenter& presenter, QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(7);
-  for (QWidget* widget :
-       {static_cast<QWidget*>(posture_), static_cast<QWidget*>(edit_), fields_,
-        static_cast<QWidget*>(deviations_), static_cast<QWidget*>(new SafetyForm(presenter_)),
-        static_cast<QWidget*>(strapped_), static_cast<QWidget*>(words_)})
+  for (QWidget* widget : {static_cast<QWidget*>(posture_), static_cast<QWidget*>(edit_),
+                          static_cast<QWidget*>(fields_), static_cast<QWidget*>(deviations_),
+                          static_cast<QWidget*>(new SafetyForm(presenter_)),
+                          static_cast<QWidget*>(strapped_), static_cast<QWidget*>(words_)})
     column->addWidget(widget);
   connect(edit_, &QPushButton::toggled, fields_, &QWidget::setVisible);
   connect(strapped_, &QPushButton::clicked, this, [this] {
@@ -70,77 +97,32 @@ StrapForm::StrapForm(SessionPresenter& presenter, QWidget* parent)
   refresh();
 }
 
-QWidget* StrapForm::make_fields() {
-  auto* fields = new QWidget;
-  auto* grid = new QGridLayout(fields);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setHorizontalSpacing(8);
-  grid->setVerticalSpacing(5);
-  for (const auto item : kPostureOrder) {
-    const auto i = static_cast<std::size_t>(item);
-    const auto name = QStringLiteral("posture_%1").arg(QLatin1String(name_of(item)));
-    const auto& choices = choices_of(item);
-    QWidget* field = nullptr;
-    if (choices.empty()) {
-      field = written_[i] = new QLineEdit;
-      written_[i]->setMaxLength(kLongestMark);
-      connect(written_[i], &QLineEdit::editingFinished, this, &StrapForm::say);
-    } else {
-      auto* box = choices_[i] = new ChoiceBox;
-      box->addItem(words_of(item, ""), QString());
-      for (const char* choice : choices) box->addItem(words_of(item, choice), QString(choice));
-      connect(box, QOverload<int>::of(&QComboBox::activated), this, &StrapForm::say);
-      field = box;
-    }
-    field->setObjectName(name);
-    describe(*field, words_of(item),
-             choices.empty() ? tr("%1: the marks as written on them (Tab)").arg(words_of(item))
-                             : tr("%1 (Tab, then arrow keys)").arg(words_of(item)));
-    auto* label = new QLabel(words_of(item));
-    label->setBuddy(field);
-    grid->addWidget(label, static_cast<int>(i), 0);
-    grid->addWidget(field, static_cast<int>(i), 1);
+void StrapForm::refresh_posture() {
+  const Seating& seating = presenter_.seating();
+  const bool both = presenter_.flow().view().both_hands;
+  QStringList said;
+  QStringList differ;
+  for (const Hand hand : hands_in(presenter_.state())) {
+    const SittingPosture& posture = seating.posture(hand);
+    const SittingPosture& last = seating.last_posture(hand);
+    // The seat is that of the person, and said once.
+    const auto words = in_words(posture, both && hand == Hand::right);
+    if (!words.isEmpty()) said += said_words(both, hand, last.said() && posture == last).arg(words);
+    if (const auto differs = deviations(posture, last); !differs.isEmpty())
+      differ += differing_words(both, hand).arg(differs);
   }
-  grid->setColumnStretch(1, 1);
-  return fields;
-}
-
-void StrapForm::say() {
-  SittingPosture posture;
-  for (const auto item : kPostureOrder) {
-    const auto i = static_cast<std::size_t>(item);
-    const auto value = choices_[i] != nullptr ? choices_[i]->currentData().toString()
-                                              : written_[i]->text().trimmed();
-    posture.of(item) = value.toStdString();
-  }
-  presenter_.seating().say_posture(posture);
+  posture_->setText(said.join(QLatin1Char('\n')));
+  posture_->setVisible(!said.isEmpty());
+  deviations_->setText(differ.join(QLatin1Char('\n')));
+  deviations_->setVisible(!differ.isEmpty());
 }
 
 void StrapForm::refresh() {
   const auto& view = presenter_.flow().view();
-  const auto& posture = presenter_.seating().posture();
-  const auto& last = presenter_.seating().last_posture();
-  for (const auto item : kPostureOrder) {
-    const auto i = static_cast<std::size_t>(item);
-    const auto value = QString::fromStdString(posture.of(item));
-    if (auto* box = choices_[i]) {
-      // A value of another station is kept, in its own words.
-      if (box->findData(value) < 0) box->addItem(words_of(item, posture.of(item)), value);
-      box->setCurrentIndex(box->findData(value));
-    } else if (!written_[i]->hasFocus()) {
-      const QSignalBlocker quiet(written_[i]);
-      written_[i]->setText(value);
-    }
-  }
-  const bool as_last_time = last.said() && posture == last;
-  posture_->setText(as_last_time     ? tr("As last time: %1.").arg(in_words(posture))
-                    : posture.said() ? tr("Now: %1.").arg(in_words(posture))
-                                     : QString());
-  posture_->setVisible(posture.said());
-  const auto differs = deviations(posture, last);
-  deviations_->setText(tr("Not as last time: %1.").arg(differs));
-  deviations_->setVisible(!differs.isEmpty());
+  fields_->refresh();
+  refresh_posture();
   const bool both = view.both_hands;
+  const bool as_last_time = all_as_last_time(presenter_);
   strapped_->setText(both && as_last_time ? tr("Both hands &in, as last time")
                      : both               ? tr("Both hands are &in")
                      : as_last_time       ? tr("Hand &in, strapped, as last time")

@@ -5939,6 +5939,37 @@ Neu verbunden: %7</translation>
     </message>
 </context>
 <context>
+    <name>isograsp::gui::PostureFields</name>
+    <message>
+        <source>Left hand</source>
+        <translation>Linke Hand</translation>
+    </message>
+    <message>
+        <source>Right hand</source>
+        <translation>Rechte Hand</translation>
+    </message>
+    <message>
+        <source>Posture and straps of this hand (Tab, then space)</source>
+        <translation>Haltung und Gurte dieser Hand (Tab, dann Leertaste)</translation>
+    </message>
+    <message>
+        <source>%1, left hand</source>
+        <translation>%1, linke Hand</translation>
+    </message>
+    <message>
+        <source>%1, right hand</source>
+        <translation>%1, rechte Hand</translation>
+    </message>
+    <message>
+        <source>%1: the marks as written on them (Tab)</source>
+        <translation>%1: die Marken, wie sie darauf stehen (Tab)</translation>
+    </message>
+    <message>
+        <source>%1 (Tab, then arrow keys)</source>
+        <translation>%1 (Tab, dann Pfeiltasten)</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::PostureForm</name>
     <message>
         <source>Not in sight: %1</source>
@@ -7763,14 +7794,6 @@ Neu verbunden: %7</translation>
         <translation>Angeben, wie der Patient sitzt und wo die Gurte sind (Alt+D)</translation>
     </message>
     <message>
-        <source>%1: the marks as written on them (Tab)</source>
-        <translation>%1: die Marken, wie sie darauf stehen (Tab)</translation>
-    </message>
-    <message>
-        <source>%1 (Tab, then arrow keys)</source>
-        <translation>%1 (Tab, dann Pfeiltasten)</translation>
-    </message>
-    <message>
         <source>As last time: %1.</source>
         <translation>Wie letztes Mal: %1.</translation>
     </message>
@@ -7797,6 +7820,30 @@ Neu verbunden: %7</translation>
     <message>
         <source>Both hands are &amp;in</source>
         <translation>Beide Hände im Gerä&amp;t</translation>
+    </message>
+    <message>
+        <source>Left hand, as last time: %1.</source>
+        <translation>Linke Hand, wie letztes Mal: %1.</translation>
+    </message>
+    <message>
+        <source>Left hand, now: %1.</source>
+        <translation>Linke Hand, jetzt: %1.</translation>
+    </message>
+    <message>
+        <source>Right hand, as last time: %1.</source>
+        <translation>Rechte Hand, wie letztes Mal: %1.</translation>
+    </message>
+    <message>
+        <source>Right hand, now: %1.</source>
+        <translation>Rechte Hand, jetzt: %1.</translation>
+    </message>
+    <message>
+        <source>Left hand, not as last time: %1.</source>
+        <translation>Linke Hand, nicht wie letztes Mal: %1.</translation>
+    </message>
+    <message>
+        <source>Right hand, not as last time: %1.</source>
+        <translation>Rechte Hand, nicht wie letztes Mal: %1.</translation>
     </message>
 </context>
 <context>

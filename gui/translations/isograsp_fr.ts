@@ -5939,6 +5939,37 @@ Reconnecté&#xa0;: %7</translation>
     </message>
 </context>
 <context>
+    <name>isograsp::gui::PostureFields</name>
+    <message>
+        <source>Left hand</source>
+        <translation>Main gauche</translation>
+    </message>
+    <message>
+        <source>Right hand</source>
+        <translation>Main droite</translation>
+    </message>
+    <message>
+        <source>Posture and straps of this hand (Tab, then space)</source>
+        <translation>Posture et sangles de cette main (Tab, puis Espace)</translation>
+    </message>
+    <message>
+        <source>%1, left hand</source>
+        <translation>%1, main gauche</translation>
+    </message>
+    <message>
+        <source>%1, right hand</source>
+        <translation>%1, main droite</translation>
+    </message>
+    <message>
+        <source>%1: the marks as written on them (Tab)</source>
+        <translation>%1&#xa0;: les repères tels qu’inscrits (Tab)</translation>
+    </message>
+    <message>
+        <source>%1 (Tab, then arrow keys)</source>
+        <translation>%1 (Tab, puis flèches)</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::PostureForm</name>
     <message>
         <source>Not in sight: %1</source>
@@ -7763,14 +7794,6 @@ Reconnecté&#xa0;: %7</translation>
         <translation>Indiquer comment le patient est assis et où sont les sangles (Alt+F)</translation>
     </message>
     <message>
-        <source>%1: the marks as written on them (Tab)</source>
-        <translation>%1&#xa0;: les repères tels qu’inscrits (Tab)</translation>
-    </message>
-    <message>
-        <source>%1 (Tab, then arrow keys)</source>
-        <translation>%1 (Tab, puis flèches)</translation>
-    </message>
-    <message>
         <source>As last time: %1.</source>
         <translation>Comme la dernière fois&#xa0;: %1.</translation>
     </message>
@@ -7797,6 +7820,30 @@ Reconnecté&#xa0;: %7</translation>
     <message>
         <source>Both hands are &amp;in</source>
         <translation>Les deux mains &amp;en place</translation>
+    </message>
+    <message>
+        <source>Left hand, as last time: %1.</source>
+        <translation>Main gauche, comme la dernière fois&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Left hand, now: %1.</source>
+        <translation>Main gauche, maintenant&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Right hand, as last time: %1.</source>
+        <translation>Main droite, comme la dernière fois&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Right hand, now: %1.</source>
+        <translation>Main droite, maintenant&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Left hand, not as last time: %1.</source>
+        <translation>Main gauche, pas comme la dernière fois&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Right hand, not as last time: %1.</source>
+        <translation>Main droite, pas comme la dernière fois&#xa0;: %1.</translation>
     </message>
 </context>
 <context>

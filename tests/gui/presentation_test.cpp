@@ -67,6 +67,20 @@ TEST(SittingPosture, WhatIsStoredIsReadBack) {
   EXPECT_TRUE(stored(SittingPosture{}).empty()) << "what was not said is not stored";
 }
 
+TEST(SittingPosture, OfBothHandsEachHasItsOwnAndThePersonHasOneSeat) {
+  OfHands<SittingPosture> postures;
+  postures.left.of(PostureItem::seat) = postures.right.of(PostureItem::seat) = "wheelchair";
+  postures.left.of(PostureItem::elbow) = "90";
+  postures.right.of(PostureItem::elbow) = "110";
+  postures.right.of(PostureItem::straps) = "3, 4, 4";
+  const auto answers = stored(postures);
+  EXPECT_EQ(answers.size(), 4U) << "the seat is said once";
+  EXPECT_EQ(postures_in(answers), postures);
+  OfHands<SittingPosture> exchanged{postures.right, postures.left};
+  EXPECT_NE(postures_in(stored(exchanged)), postures);
+  EXPECT_EQ(posture_in(answers).of(PostureItem::elbow), "") << "nothing of one hand alone";
+}
+
 TEST(SittingPosture, ADeviationNamesWhatIsAndWhatWas) {
   SittingPosture last;
   last.of(PostureItem::elbow) = "90";

@@ -181,7 +181,7 @@ TEST_F(SettingsTest, PostureAndScreenAreOfferedAsLastTime) {
   SittingPosture posture;
   posture.of(PostureItem::elbow) = "90";
   posture.of(PostureItem::straps) = "3, 4, 4";
-  presenter.seating().say_posture(posture);
+  presenter.seating().say_posture(Hand::right, posture);
   therapist.press("strapped");
   therapist.disconnect();
   {
@@ -203,9 +203,9 @@ TEST_F(SettingsTest, PostureAndScreenAreOfferedAsLastTime) {
   presenter.choices().choose_patient(code);
   ASSERT_TRUE(wait_until([&] { return presenter.seating().presentation() == half; }));
   presenter.choices().choose_hand(Hand::left);
-  EXPECT_FALSE(presenter.seating().posture().said()) << "of the other hand";
+  EXPECT_FALSE(presenter.seating().posture(Hand::left).said()) << "of the other hand";
   presenter.choices().choose_hand(Hand::right);
-  ASSERT_TRUE(wait_until([&] { return presenter.seating().posture() == posture; }));
+  ASSERT_TRUE(wait_until([&] { return presenter.seating().posture(Hand::right) == posture; }));
   EXPECT_TRUE(therapist.find<QAbstractButton>("strapped").text().contains("as last time"));
 }
 

@@ -172,6 +172,61 @@ TEST_F(BothInWindows, NothingBeginsBeforeTheStopIsTestedSomebodyStaysAndTheHands
   EXPECT_FALSE(state().choices.today.both) << "asked anew in the next session";
 }
 
+TEST_F(BothInWindows, EachHandHasItsOwnPostureWhichIsOfferedToThatHandNextTime) {
+  operator_.prepare_both(kPair);
+  operator_.press("posture_edit");
+  const auto choose = [&](const char* name, const char* value) {
+    auto& box = operator_.find<QComboBox>(name);
+    const int row = box.findData(QString(value));
+    ASSERT_GE(row, 0) << name;
+    box.setCurrentIndex(row);
+    Q_EMIT box.activated(row);
+  };
+  choose("posture_seat", "wheelchair");
+  choose("posture_elbow_deg", "90");
+  auto& straps = operator_.find<QLineEdit>("posture_straps");
+  straps.setFocus();
+  straps.setText("3, 4, 4");  // not finished: it is of the left hand nevertheless
+  operator_.press("posture_of_right");
+  EXPECT_EQ(straps.text(), "") << "of the right hand nothing was said";
+  EXPECT_EQ(operator_.find<QComboBox>("posture_seat").currentData().toString(), "wheelchair");
+  EXPECT_EQ(operator_.find<QComboBox>("posture_elbow_deg").accessibleName(), "Elbow, right hand");
+  choose("posture_elbow_deg", "110");
+  choose("posture_wrist", "flexed");
+  const QString said = label("posture");
+  EXPECT_TRUE(said.contains("Left hand, now: wheelchair, elbow 90°")) << said.toStdString();
+  EXPECT_TRUE(said.contains("Right hand, now: elbow 110°, wrist flexed")) << said.toStdString();
+  keep_picture(windows_.therapist(), "both_postures");
+  operator_.put_both_in();
+  operator_.disconnect();
+  std::map<std::string, std::string> stored_as;
+  for (const auto& answer : must(stored()->answers(must(stored()->recent_sessions(1)).at(0).id)))
+    if (answer.topic == "posture" && answer.item != "donning_time_s")
+      stored_as[answer.item] = answer.value;
+  EXPECT_EQ(stored_as, (std::map<std::string, std::string>{{"seat", "wheelchair"},
+                                                           {"left_elbow_deg", "90"},
+                                                           {"left_straps", "3, 4, 4"},
+                                                           {"right_elbow_deg", "110"},
+                                                           {"right_wrist", "flexed"}}));
+  operator_.press("hand_left");
+  auto& seating = windows_.presenter().seating();
+  EXPECT_FALSE(seating.posture(Hand::left).said()) << "that was beside the other hand";
+  operator_.open_section(Step::hand);
+  operator_.press("hand_both");
+  ASSERT_TRUE(wait_until([&] { return seating.posture(Hand::left).said(); }));
+  EXPECT_EQ(seating.posture(Hand::left).of(PostureItem::elbow), "90");
+  EXPECT_EQ(seating.posture(Hand::right).of(PostureItem::elbow), "110");
+  EXPECT_EQ(seating.posture(Hand::right).of(PostureItem::seat), "wheelchair");
+  EXPECT_EQ(seating.posture(Hand::right).of(PostureItem::straps), "") << "the left hand's";
+  EXPECT_TRUE(operator_.find<QAbstractButton>("strapped").text().contains("as last time"));
+  SittingPosture other = seating.posture(Hand::right);
+  other.of(PostureItem::elbow) = "70";
+  seating.say_posture(Hand::right, other);
+  EXPECT_EQ(label("posture_deviations"),
+            "Right hand, not as last time: Elbow: 70° instead of 110°.");
+  EXPECT_TRUE(label("posture").contains("Left hand, as last time"));
+}
+
 TEST_F(BothInWindows, AWholeSessionGoesFromBothZerosThroughRestAndMaximaToOneForceTogether) {
   operator_.add_patient();
   ASSERT_NO_FATAL_FAILURE(say_affected_left());
@@ -302,6 +357,8 @@ TEST_F(BothInWindows, EveryPageHoldsItsWordsInEveryLanguage) {
     QTest::keyClick(&windows.therapist(), Qt::Key_F10);
     therapist.press("within_reach");
     keep("6_in");
+    therapist.press("posture_edit");
+    keep("6_postures");
     windows.therapist().show_page(TherapistWindow::Page::device);
     keep("7_device");
     windows.presenter().connecting().end_session();

@@ -10,6 +10,7 @@
 #include "hand/arm_columns.hpp"
 #include "hand/two_hands_columns.hpp"
 #include "reports/findings/arm_findings.hpp"
+#include "reports/findings/both_hands.hpp"
 #include "reports/findings/comparable.hpp"
 #include "reports/findings/data_quality.hpp"
 #include "reports/findings/patient_records.hpp"
@@ -240,9 +241,11 @@ Result<ReportContent> gather_progress(storage::SessionStore& store, const std::s
     auto section = make_section(context, all, content.sessions);
     if (!section) return section.error();
     add_drawn_trials(store, all, *section);
+    add_both_hands(*section, all, content.both_hands);
     content.sections.push_back(*std::move(section));
   }
   put_in_order(content.sections, content.sessions);
+  finish_both_hands(content.both_hands);
   content.waiting = waiting_for(context.primaries, content.sections, context.part);
   if (records->sessions.empty()) return content;
   const storage::SessionRecord& last = records->sessions.back();

@@ -13,12 +13,13 @@
 #include "core/signals.hpp"
 #include "core/text.hpp"
 #include "hand/arm_links.hpp"
-#include "hand/finger.hpp"
+#include "hand/hands.hpp"
 #include "reports/findings/change.hpp"
 #include "reports/findings/compass.hpp"
 #include "reports/findings/limits.hpp"
 #include "reports/findings/norm_band.hpp"
 #include "reports/findings/practice_dose.hpp"
+#include "tasks/carry_forces.hpp"
 #include "tasks/kinds/arm/pose_trial.hpp"
 #include "tasks/task_spec.hpp"
 
@@ -142,6 +143,38 @@ struct TaskSection {
   std::vector<Text> notes;
 };
 
+/// A session in which a force was asked of the sum of both hands, however they shared it: means
+/// over the trials that are compared. Nothing: not known.
+struct HandsShared {
+  std::size_t session = 0;
+  std::string task;
+  OfHands<std::optional<double>> above_rest_N;
+  std::optional<Hand> affected;            ///< the values below are of it
+  std::optional<double> share_percent;     ///< of the force
+  std::optional<double> capacity_percent;  ///< of what both can do, by the maxima of that session
+  std::optional<double> effort_percent;
+  std::optional<double> lag_s;    ///< above 0: it follows the other hand
+  std::optional<double> synergy;  ///< hand_synergy
+};
+/// A session in which both hands lifted something, or carried it: all its trials that are compared.
+struct HandsMoved {
+  std::size_t session = 0;
+  std::string task;
+  std::optional<tasks::HandsCarry> carry;  ///< how; nothing: it was lifted
+  int done = 0;                            ///< lifted, or placed
+  int asked = 0;
+  int drops = 0;
+  std::optional<double> time_s;         ///< of one, what was not done at the limit
+  std::optional<double> tilt_rad;       ///< of what is lifted, RMS
+  std::optional<double> raise_percent;  ///< share of the affected hand in raising
+};
+/// What both hands did together; both are empty where they never did.
+struct BothHands {
+  std::vector<HandsShared> shared;       ///< of one task, oldest first
+  std::vector<HandsMoved> moved;         ///< of all tasks, oldest first
+  std::vector<std::string> other_tasks;  ///< that ask for a sum, too
+};
+
 struct QualityLine {
   Text label;
   Text text;
@@ -165,6 +198,7 @@ struct ReportContent {
   LimitsOfHand limits;
   std::vector<Compass> compasses;
   PracticeDose dose;
+  BothHands both_hands;
   bool early = false;       ///< the last session is less than six months after the onset
   std::string signing_key;  ///< public key of the clinic; empty: it has not signed anything yet
 };

@@ -177,6 +177,24 @@ class HandsPlot {
   Values x_;
 };
 
+struct Course {
+  Values x, y;
+};
+Course course_of(const ReportContent& content, std::optional<double> HandsShared::*value) {
+  Course course;
+  for (const HandsShared& row : content.both_hands.shared)
+    if (const auto& known = row.*value) {
+      course.x.push_back(content.sessions[row.session].number);
+      course.y.push_back(*known);
+    }
+  return course;
+}
+
+void add_course_marks(QCPAxisRect& rect, const Course& course, const QPen& pen,
+                      const QCPScatterStyle& style) {
+  add_line(rect, course.x, course.y, pen).setScatterStyle(style);
+}
+
 }  // namespace
 
 bool is_of_two_hands(const TaskSection& section) {
@@ -206,6 +224,57 @@ PlotView hands_plot(const TaskSection& section, const DrawnTrial& trial, QSizeF 
   else
     plot.draw_forces();
   return std::move(plot.view);
+}
+
+PlotView hands_course_plot(const ReportContent& content, HandsCourse shown, QSizeF size,
+                           double unit, const Language& language) {
+  PlotView view(size, unit, language);
+  const bool dated = ticks_have_dates(content);
+  QCPAxisRect& rect =
+      view.add_axes({kLeft, kAboveWithKey, size.width() - kLeft - kRight,
+                     size.height() - kAboveWithKey - kBelow - (dated ? kDateLine : 0.0)});
+  QCPAxis& across = *rect.axis(QCPAxis::atBottom);
+  QCPAxis& up = *rect.axis(QCPAxis::atLeft);
+  const SessionSpan span = session_span(content);
+  across.setRange(span.low, span.high);
+  across.setLabel(view.said("session"_text));
+  add_session_ticks(view, across, content);
+  const auto level = [&](double y) {
+    add_line(rect, {span.low, span.high}, {y, y},
+             dashed(Palette::quiet(), view.px(0.6), {1.5, 2.5}));
+  };
+  const std::optional<Hand> hand = content.both_hands.shared.back().affected;
+  const QColor color = Palette::of(hand);
+  const QPen pen(color, view.px(1.1));
+  const QCPScatterStyle filled(
+      hand == Hand::left ? QCPScatterStyle::ssSquare : QCPScatterStyle::ssCircle, pen, color,
+      view.px(5.0));
+  if (shown == HandsCourse::share) {
+    constexpr double kHalf = 50.0, kAll = 100.0;
+    up.setRange(0.0, kAll);
+    up.setLabel(QStringLiteral("%"));
+    level(kHalf);
+    add_course_marks(rect, course_of(content, &HandsShared::share_percent), pen, filled);
+    // Open and larger: where both are one, either is seen.
+    add_course_marks(rect, course_of(content, &HandsShared::capacity_percent),
+                     dashed(Palette::ink(), view.px(0.9), {4.0, 2.5}),
+                     {QCPScatterStyle::ssDiamond, QPen(Palette::ink(), view.px(0.9)), Qt::NoBrush,
+                      view.px(9.0)});
+    view.explain(PlotView::Mark::line, color, "of the force"_text);
+    view.explain(PlotView::Mark::dashed, Palette::ink(), "of what both can do"_text);
+    view.explain(PlotView::Mark::dotted, Palette::quiet(), "half"_text);
+    return view;
+  }
+  const Course lag = course_of(content, &HandsShared::lag_s);
+  constexpr double kLeast_s = 0.1, kAirAround = 1.25;
+  double most_s = kLeast_s;
+  for (const double lag_s : lag.y) most_s = std::max(most_s, kAirAround * std::abs(lag_s));
+  up.setRange(-most_s, most_s);
+  up.setLabel(view.said("lag [s]"_text));
+  level(0.0);
+  add_course_marks(rect, lag, pen, filled);
+  view.explain(PlotView::Mark::line, color, "above 0 it follows, below it goes before"_text);
+  return view;
 }
 
 }  // namespace isograsp::reports

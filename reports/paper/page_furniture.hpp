@@ -20,6 +20,11 @@ struct PageFurniture {
 };
 /// A title of more characters than a patient's code has is set smaller.
 inline constexpr std::size_t kLongTitle = 24;
-[[nodiscard]] PageFurniture furniture_of(const ReportContent& content, const Language& language);
+[[nodiscard]] inline PageFurniture furniture_of(const ReportContent& content,
+                                                const Language& language) {
+  const Speaker say(language);
+  return {say("Progress report"_text), content.code,         header_facts(content, language),
+          say(watermark(content)),     say(footer(content)), &language};
+}
 
 }  // namespace isograsp::reports

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Parts of a report that are the same on paper and on the web: a heading, sentences, plots side by
 // side, a table, all of it said in the language. What they say is decided once (summary_panels.cpp,
-// patient_page.cpp), how they look by the two writers.
+// both_hands_panels.cpp, patient_page.cpp), how they look by the two writers.
 #pragma once
 
 #include <QSizeF>
@@ -38,6 +38,7 @@ struct Panel {
   std::vector<std::string> notes;   ///< small
   std::vector<std::string> blanks;  ///< to be filled in by hand: a word under each line
   bool large_print = false;         ///< a page of its own, for the patient
+  bool own_page = false;            ///< begins a page
   bool of_task = false;             ///< stands below a task: a smaller heading
 };
 
@@ -51,6 +52,11 @@ struct Panel {
 /// Signature and the page for the patient: the end.
 [[nodiscard]] std::vector<Panel> panels_below(const ReportContent& content,
                                               const Language& language);
+
+/// The page of both hands: sharing and lag, lifting and carrying. Empty: they never worked
+/// together.
+[[nodiscard]] std::vector<Panel> both_hands_panels(const ReportContent& content,
+                                                   const Language& language);
 
 /// Below a task with postures: each posture as a row, how the links shared the movements of the
 /// last trial. Nothing: another kind of task. The section and the language must outlive it.

@@ -149,6 +149,7 @@ void add_panel(std::vector<Block>& blocks, const Panel& panel) {
   } else {
     blocks.push_back(panel.of_task ? text_block(qt(panel.heading), kStrong, 8.0)
                                    : heading_block(qt(panel.heading), kSectionGap));
+    blocks.back().new_page = panel.own_page;
     double gap = 0.0;
     for (const auto& line : panel.lines) {
       add_text(blocks, line, kBody, gap);

@@ -64,6 +64,32 @@ QCPAxisRect& stacked_axes(PlotView& view, int place, int of, double end_s, Words
   return rect;
 }
 
+SessionSpan session_span(const ReportContent& content) {
+  constexpr int kLeastSpan = 3;  // sessions: two points side by side look like a jump otherwise
+  const int count = static_cast<int>(content.sessions.size());
+  const double low = content.sessions.front().number - 0.5;
+  return {low, low + std::max(count, kLeastSpan)};
+}
+
+bool ticks_have_dates(const ReportContent& content) {
+  constexpr std::size_t kMostDatedTicks = 4;
+  return content.sessions.size() <= kMostDatedTicks;
+}
+
+void add_session_ticks(const PlotView& view, QCPAxis& axis, const ReportContent& content) {
+  auto ticker = QSharedPointer<QCPAxisTickerText>::create();
+  constexpr int kMostTicks = 12;
+  const int count = static_cast<int>(content.sessions.size());
+  const int step = 1 + (count - 1) / kMostTicks;
+  for (int i = 0; i < count; i += step) {
+    const auto& session = content.sessions[static_cast<std::size_t>(i)];
+    QString label = QString::number(session.number);
+    if (ticks_have_dates(content)) label += "\n" + view.said(day_of_year_words(session.date));
+    ticker->addTick(session.number, label);
+  }
+  axis.setTicker(ticker);
+}
+
 QPen dashed(const QColor& color, double width, const QVector<qreal>& pattern) {
   QPen pen(color, width);
   pen.setDashPattern(pattern);

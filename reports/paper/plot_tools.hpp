@@ -31,6 +31,17 @@ QCPGraph& add_line(QCPAxisRect& rect, const Values& x, const Values& y, const QP
 /// One of `of` pairs of axes below each other over one time, which ends at `end_s`; 0 is the top.
 QCPAxisRect& stacked_axes(PlotView& view, int place, int of, double end_s, Words title);
 
+/// Where the sessions of a report stand along an axis.
+struct SessionSpan {
+  double low;
+  double high;
+};
+[[nodiscard]] SessionSpan session_span(const ReportContent& content);
+/// Their numbers, of a few with their days in a second line, kDateLine high.
+[[nodiscard]] bool ticks_have_dates(const ReportContent& content);
+inline constexpr double kDateLine = 8.0;  // [points]
+void add_session_ticks(const PlotView& view, QCPAxis& axis, const ReportContent& content);
+
 [[nodiscard]] QPen dashed(const QColor& color, double width, const QVector<qreal>& pattern);
 
 /// The line of a link of an arm, told apart without its colour, and its word in the key.

@@ -104,6 +104,13 @@ struct ErrorBand {
 [[nodiscard]] bool lifts_object(const Signals& curves);
 [[nodiscard]] bool carries_object(const Signals& curves);
 
+/// Over the sessions, of the affected hand: its share of the force beside its share of what both
+/// can do; its lag behind the other. @pre !content.both_hands.shared.empty()
+enum class HandsCourse : std::uint8_t { share, lag };
+[[nodiscard]] PlotView hands_course_plot(const ReportContent& content, HandsCourse shown,
+                                         QSizeF size, double unit,
+                                         const Language& language = kEnglish);
+
 /// Fewer movements are drawn without a band.
 inline constexpr int kLeastBandMovements = 3;
 /// Postures whose movements in the last session make a band (kLeastBandMovements), those with most

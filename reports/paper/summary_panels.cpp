@@ -269,6 +269,7 @@ std::vector<Panel> panels_between(const ReportContent& content, const Language& 
   std::vector<Panel> panels;
   for (auto& panel : {compass_panel(content, say), dose_panel(content, say)})
     if (panel) panels.push_back(*panel);
+  for (Panel& panel : both_hands_panels(content, language)) panels.push_back(std::move(panel));
   return panels;
 }
 

@@ -12,8 +12,6 @@ namespace isograsp::reports {
 
 namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kMostDatedTicks = 4;
-constexpr double kDateLine = 8.0;  // a second line of tick labels [points]
 constexpr double kAbove = 4.0;
 constexpr double kLetterRow = 7.2;  // of letters of treatments
 
@@ -37,18 +35,6 @@ std::vector<ErrorBand> error_bands(const MeasureSeries& series) {
 }
 
 namespace {
-
-/// Where a series stands along its axis.
-struct Span {
-  double low;
-  double high;
-};
-Span span_of(const ReportContent& content) {
-  constexpr int kLeastSpan = 3;  // sessions: two points side by side look like a jump otherwise
-  const int count = static_cast<int>(content.sessions.size());
-  const double low = content.sessions.front().number - 0.5;
-  return {low, low + std::max(count, kLeastSpan)};
-}
 
 QChar letter_of(const std::string& kind) {
   if (kind == "botulinum_toxin") return 'B';
@@ -212,21 +198,6 @@ QCPRange range_for(const Drawn& all, bool norm_far, const std::string& unit) {
                   : range_of({&all.mean, &all.trials, &all.band, &all.practice, &all.norm});
 }
 
-void add_session_ticks(const PlotView& view, QCPAxis& axis, const ReportContent& content,
-                       bool dated) {
-  auto ticker = QSharedPointer<QCPAxisTickerText>::create();
-  constexpr int kMostTicks = 12;
-  const int count = static_cast<int>(content.sessions.size());
-  const int step = 1 + (count - 1) / kMostTicks;
-  for (int i = 0; i < count; i += step) {
-    const auto& session = content.sessions[static_cast<std::size_t>(i)];
-    QString label = QString::number(session.number);
-    if (dated) label += "\n" + view.said(day_of_year_words(session.date));
-    ticker->addTick(session.number, label);
-  }
-  axis.setTicker(ticker);
-}
-
 /// Measurement error round the baseline, and the baseline itself, along the whole axis.
 void add_baseline(PlotView& view, QCPAxisRect& rect, const MeasureSeries& series,
                   const Values& ends, double factor) {
@@ -285,7 +256,7 @@ PlotView trend_plot(const MeasureSeries& series, const TaskSection& section,
   const int norm_row = rows_above;
   if (norm_far) ++rows_above;
   const double above = std::max(kAbove, rows_above * kLetterRow);
-  const bool dated = content.sessions.size() <= kMostDatedTicks;
+  const bool dated = ticks_have_dates(content);
   QCPAxisRect& rect = view.add_axes({kLeft, above, size.width() - kLeft - kRight,
                                      size.height() - above - kBelow - (dated ? kDateLine : 0.0)});
   const QCPRange range = range_for(all, norm_far, series.unit);
@@ -293,13 +264,13 @@ PlotView trend_plot(const MeasureSeries& series, const TaskSection& section,
   rect.axis(QCPAxis::atLeft)
       ->setLabel(view.said(printed.text.empty() ? "ratio"_text : tasks::unit_words(printed.text)));
 
-  const Span span = span_of(content);
+  const SessionSpan span = session_span(content);
   constexpr double kRoomForNorm = 0.05;  // of the length
   const bool norm_beside = series.norm && !norm_far;
   const double right = span.high + (norm_beside ? kRoomForNorm * (span.high - span.low) : 0.0);
   rect.axis(QCPAxis::atBottom)->setRange(span.low, right);
   rect.axis(QCPAxis::atBottom)->setLabel(view.said("session"_text));
-  add_session_ticks(view, *rect.axis(QCPAxis::atBottom), content, dated);
+  add_session_ticks(view, *rect.axis(QCPAxis::atBottom), content);
 
   add_baseline(view, rect, series, {span.low, right}, printed.factor);
   if (norm_far) add_far_norm(view, rect, all.norm, norm_row);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -76,7 +77,9 @@ TEST(TwoPlatformsApp, APairInSoftwareGoesFromSessionToReportAndExports) {
       isograsp("report --patient B-1 --db " + database + " --out " + folder.path("r.html"));
   ASSERT_EQ(report.status, 0) << report.err;
   const std::string page = test::must(read_text(folder.path("r.html")));
-  for (const char* said : {"Two hands, maximum", "left hand", "right hand", "SIMULATED"})
+  for (const char* said : {"Two hands, maximum", "left hand", "right hand", "SIMULATED",
+                           "Both hands: sharing a force", "the left hand, which is affected, gives",
+                           "Of what both hands can do it can do", "It follows the other one by"})
     EXPECT_NE(page.find(said), std::string::npos) << said;
   EXPECT_EQ(page.find("What limits this hand"), std::string::npos);
   EXPECT_EQ(page.find("not done: forces contain"), std::string::npos) << "both zeros were set";
@@ -126,6 +129,9 @@ TEST(TwoPlatformsApp, WhatBothHandsLiftAndCarryGoesFromSessionToReportAndExports
     }
     const std::string page = test::must(read_text(folder.path("r.html")));
     EXPECT_NE(page.find(curves), std::string::npos) << "the last trial as a table";
+    EXPECT_NE(page.find("Both hands: lifting and carrying"), std::string::npos);
+    EXPECT_NE(page.find(key == "path_efficiency" ? "bubbles, pinch" : "lifted level"),
+              std::string::npos);
     EXPECT_NE(page.find(key == "path_efficiency" ? "of 8" : "of 4"), std::string::npos) << protocol;
   }
 }
@@ -263,8 +269,56 @@ struct Lifting {
   }
 };
 
-TEST(TwoPlatformsApp, ATrayIsLiftedOnTwoSetsOfBoxesFromSessionToReport) {
-  const TemporaryFolder folder;
+/// A session on two sets of boxes that play such hands, and what comes of it.
+struct BoxesSession {
+  TemporaryFolder folder;
+  std::string database = folder.path("clinic.db");
+  test::CommandResult run;
+  bool boxes_well = false;  ///< they played to their end
+
+  void play(const Lifting& hand) {
+    constexpr int kPlay_s = 60;
+    const std::string forces = folder.write("lifting.csv", forces_of_a_hand(2.0 * kPlay_s, hand));
+    const std::string left = boxes(folder, "left", 41);
+    const std::string right = boxes(folder, "right", 51);
+    const test::BackgroundCommand left_boxes(emulated(left, 41, forces, kPlay_s));
+    const test::BackgroundCommand right_boxes(emulated(right, 51, forces, kPlay_s));
+    const std::string protocol = write_protocol();
+    static_cast<void>(left_boxes.wait_until([&] {
+      run = isograsp("run --protocol-file " + protocol + " --db " + database +
+                     " --patient B-1 --affected left" +
+                     both("'udp://?config=" + left + "'", "'udp://?config=" + right + "'"));
+      return run.status == 0;
+    }));
+    left_boxes.wait_for_end();
+    right_boxes.wait_for_end();
+    boxes_well = left_boxes.status() == 0 && right_boxes.status() == 0;
+  }
+
+ private:
+  [[nodiscard]] std::string write_protocol() const {
+    const auto task = [&](const std::string& file, const std::string& rest) {
+      static_cast<void>(folder.write(file, "format = \"isograsp-task-1\"\nname = \"" + file +
+                                               "\"\ninstruction = \"Do it.\"\n" + rest));
+      return "[[step]]\nkind = \"task\"\ntask = \"" + file + "\"\n";
+    };
+    // Each effort is longer than the pulses are apart, so that each finds one.
+    return folder.write(
+        "p.toml",
+        "format = \"isograsp-protocol-1\"\nname = \"Lift\"\n[[step]]\nkind = "
+        "\"instrument_zero\"\n" +
+            task("rest.toml", "kind = \"bilateral_rest\"\nduration_s = 3\n") +
+            "[[step]]\nkind = \"pause\"\nduration_s = 15\n" +
+            task("maximum.toml",
+                 "kind = \"bilateral_maximum\"\nlead_in_s = 1\nsqueeze_s = 5\nrest_s = 0\n") +
+            task("lift.toml",
+                 "kind = \"bimanual_lift\"\nscene = \"tray_on_springs\"\nlevel_fraction = 0.25\n"
+                 "position_tolerance_m = 0.02\nlifts = 1\nhold_s = 0.5\ntime_limit_s = 10\n"
+                 "lead_in_s = 1\n"));
+  }
+};
+
+TEST(LiftOnBoxes, ATrayIsLiftedOnTwoSetsOfBoxesFromSessionToReport) {
   // tray_on_springs.toml asks 5.5 N up and 10.3 N inwards of each hand; level_fraction of the grip
   // makes it lighter.
   Lifting hand;
@@ -272,50 +326,26 @@ TEST(TwoPlatformsApp, ATrayIsLiftedOnTwoSetsOfBoxesFromSessionToReport) {
   const double strength = kLevel * hand.grip_N / std::hypot(kUp_N, kInwards_N);
   hand.raise_N = strength * kUp_N;
   hand.squeeze_N = strength * kInwards_N;
-  constexpr int kPlay_s = 60;
-  const std::string play = folder.write("lifting.csv", forces_of_a_hand(2.0 * kPlay_s, hand));
-  const std::string left = boxes(folder, "left", 41);
-  const std::string right = boxes(folder, "right", 51);
-  const test::BackgroundCommand left_boxes(emulated(left, 41, play, kPlay_s));
-  const test::BackgroundCommand right_boxes(emulated(right, 51, play, kPlay_s));
-  const auto task = [&](const std::string& file, const std::string& rest) {
-    static_cast<void>(folder.write(file, "format = \"isograsp-task-1\"\nname = \"" + file +
-                                             "\"\ninstruction = \"Do it.\"\n" + rest));
-    return "[[step]]\nkind = \"task\"\ntask = \"" + file + "\"\n";
-  };
-  // Each effort is longer than the pulses are apart, so that each finds one.
-  const std::string protocol = folder.write(
-      "p.toml",
-      "format = \"isograsp-protocol-1\"\nname = \"Lift\"\n[[step]]\nkind = \"instrument_zero\"\n" +
-          task("rest.toml", "kind = \"bilateral_rest\"\nduration_s = 3\n") +
-          "[[step]]\nkind = \"pause\"\nduration_s = 15\n" +
-          task("maximum.toml",
-               "kind = \"bilateral_maximum\"\nlead_in_s = 1\nsqueeze_s = 5\nrest_s = 0\n") +
-          task("lift.toml",
-               "kind = \"bimanual_lift\"\nscene = \"tray_on_springs\"\nlevel_fraction = 0.25\n"
-               "position_tolerance_m = 0.02\nlifts = 1\nhold_s = 0.5\ntime_limit_s = 10\n"
-               "lead_in_s = 1\n"));
-  const std::string database = folder.path("clinic.db");
-  test::CommandResult run;
-  ASSERT_TRUE(left_boxes.wait_until([&] {
-    run = isograsp("run --protocol-file " + protocol + " --db " + database +
-                   " --patient B-1 --affected left" +
-                   both("'udp://?config=" + left + "'", "'udp://?config=" + right + "'"));
-    return run.status == 0;
-  })) << run.err
-      << left_boxes.err() << right_boxes.err();
-  EXPECT_NE(run.out.find("1 of 1"), std::string::npos) << "it was lifted\n" << run.out;
-  const auto verified = isograsp("db verify " + database);
+  // Hands that are played do not wait for a computer that others hold up: samples that come late
+  // are no maximum. It is tried again then.
+  constexpr int kAttempts = 3;
+  std::optional<BoxesSession> session;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    session.emplace().play(hand);
+    if (session->run.out.find("1 of 1") != std::string::npos) break;
+  }
+  EXPECT_EQ(session->run.status, 0) << session->run.err;
+  EXPECT_TRUE(session->boxes_well);
+  EXPECT_NE(session->run.out.find("1 of 1"), std::string::npos) << "it was lifted\n"
+                                                                << session->run.out;
+  const auto verified = isograsp("db verify " + session->database);
   EXPECT_EQ(verified.status, 0) << verified.out << verified.err;
-  const auto report =
-      isograsp("report --patient B-1 --db " + database + " --out " + folder.path("r.html"));
-  EXPECT_EQ(report.status, 0) << report.err;
-  const std::string page = test::must(read_text(folder.path("r.html")));
-  left_boxes.wait_for_end();
-  right_boxes.wait_for_end();
-  EXPECT_EQ(left_boxes.status(), 0) << left_boxes.err();
-  EXPECT_EQ(right_boxes.status(), 0) << right_boxes.err();
+  const std::string file = session->folder.path("r.html");
+  const auto report = isograsp("report --patient B-1 --db " + session->database + " --out " + file);
+  ASSERT_EQ(report.status, 0) << report.err;
+  const std::string page = test::must(read_text(file));
   EXPECT_NE(page.find("Push up, left hand"), std::string::npos) << "the last trial as a table";
+  EXPECT_NE(page.find("1 of 1"), std::string::npos) << "on the page of both hands";
   EXPECT_EQ(page.find("SIMULATED"), std::string::npos) << "boxes on sockets are devices";
 }
 

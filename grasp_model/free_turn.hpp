@@ -24,6 +24,53 @@ namespace isograsp {
   return level;
 }
 
+/// Into which steps a hold is divided, and when one is good enough. Levels above 0 halve the step,
+/// those below take a cheaper order (order_of()). Real-time safe.
+struct TurnPace {
+  int level = 0;
+  int coarsest = 0;
+  int slot = 0;  ///< of kSlots that a hold has
+  bool stiff = false;
+
+  static constexpr int kSlots = 1 << kFinestLevel;
+  /// The coarsest level at which explicit steps are stable, if the fastest rate turns that much in
+  /// the hold; more than kFinestLevel: none is.
+  [[nodiscard]] static int coarsest_for(int coarsest, double turn_rad) noexcept {
+    while (coarsest < 0 && !(turn_rad <= so3::stable_rad(order_of(coarsest)))) ++coarsest;
+    return coarsest == 0 ? level_for(turn_rad, so3::stable_rad(so3::Order::eighth)) : coarsest;
+  }
+  [[nodiscard]] bool turning() const noexcept { return slot < kSlots; }
+  [[nodiscard]] int halvings() const noexcept { return std::max(level, 0); }
+  /// Of the hold: exact.
+  [[nodiscard]] double part() const noexcept { return kPart[static_cast<std::size_t>(halvings())]; }
+  /// False: the step is taken again, a finer one.
+  [[nodiscard, gnu::always_inline]] bool accepts(double error_rad, double tolerance_rad) noexcept {
+    if (error_rad <= part() * tolerance_rad || level >= kFinestLevel) return true;
+    ++level;
+    return false;
+  }
+  /// Behind a step that erred by that much, and by `coarser_rad` in the next lower order.
+  [[gnu::always_inline]] void advance(double error_rad, double coarser_rad,
+                                      double tolerance_rad) noexcept {
+    const double allowed_rad = part() * tolerance_rad;
+    slot += kSlots >> halvings();
+    if (level <= coarsest) return;
+    if (level <= 0) {
+      if (coarser_rad <= allowed_rad) --level;
+    } else if (slot % (kSlots >> (level - 1)) == 0 &&
+               std::ldexp(error_rad, stiff ? kStiffOrder : kExplicitOrder) <= allowed_rad) {
+      --level;
+    }
+  }
+
+ private:
+  static constexpr std::array<double, kFinestLevel + 1> kPart{
+      1.0, 1.0 / 2.0, 1.0 / 4.0, 1.0 / 8.0, 1.0 / 16.0, 1.0 / 32.0, 1.0 / 64.0};
+  /// A step of twice the length makes an error larger by 2 to this power.
+  static constexpr int kExplicitOrder = 8;
+  static constexpr int kStiffOrder = 5;
+};
+
 /// A panel turns the fastest rate by at most this: error of the quadrature below 1e-13 of the
 /// force.
 inline constexpr double kPanel_rad = 0.5;
@@ -43,6 +90,8 @@ class FreeTurn {
   };
   /// Of half of so3::kSpringReach_rad, 1.9 pi.
   static constexpr double kCosineOfReach = -0.98768834059513773;
+  /// If a damper needs more than 2 to this explicit steps, one stiff step is better.
+  static constexpr int kStiffLevel = 3;
   /// As ObjectState has it.
   struct End {
     double error_rad = 0.0;
@@ -58,50 +107,39 @@ class FreeTurn {
     start_ = y_;
 
     const double turn_rad = rate_.fastest(y_, hold_s_) * hold_s_;
-    coarsest_ = terms.coarsest_level;
-    while (coarsest_ < 0 && !(turn_rad <= so3::stable_rad(order_of(coarsest_)))) ++coarsest_;
-    if (coarsest_ == 0) coarsest_ = level_for(turn_rad, so3::stable_rad(so3::Order::eighth));
-    stiff_ = coarsest_ > (rate_.overdamped() ? kStiffLevel : kFinestLevel);
-    if (stiff_) coarsest_ = 0;
+    int& coarsest = pace_.coarsest;
+    coarsest = TurnPace::coarsest_for(terms.coarsest_level, turn_rad);
+    pace_.stiff = coarsest > (rate_.overdamped() ? kStiffLevel : kFinestLevel);
+    if (pace_.stiff) coarsest = 0;
     int follow_level = 0;
     if (terms.pushed_rate) follow_level = level_for(*terms.pushed_rate * hold_s_, kPanel_rad);
     exceeded_ = follow_level > kFinestLevel ||
-                (stiff_ && rate_.too_fast(y_, std::ldexp(hold_s_, -kFinestLevel), hold_s_));
-    if (follow_level > 0) coarsest_ = std::max(coarsest_, std::min(follow_level, kFinestLevel));
+                (pace_.stiff && rate_.too_fast(y_, std::ldexp(hold_s_, -kFinestLevel), hold_s_));
+    if (follow_level > 0) coarsest = std::max(coarsest, std::min(follow_level, kFinestLevel));
 
     // What may not be followed must not gain energy either.
     watched_ = rate_.watched();
-    hard_ = stiff_ || coarsest_ == kFinestLevel;
+    hard_ = pace_.stiff || coarsest == kFinestLevel;
     if (hard_) rate_.watch();
-    level_ = std::clamp(level, coarsest_, kFinestLevel);
+    pace_.level = std::clamp(level, coarsest, kFinestLevel);
   }
 
   /// A step is to be taken: of step_s() from y(), of order_of(level()) or the stiff one.
-  [[nodiscard]] bool turning() const noexcept { return slot_ < kSlots; }
+  [[nodiscard]] bool turning() const noexcept { return pace_.turning(); }
   [[nodiscard]] const so3::SpinRate& rate() const noexcept { return rate_; }
   [[nodiscard]] const so3::SpinVector& y() const noexcept { return y_; }
-  [[nodiscard]] bool stiff() const noexcept { return stiff_; }
-  [[nodiscard]] int level() const noexcept { return level_; }
-  [[nodiscard]] int halvings() const noexcept { return std::max(level_, 0); }
-  [[nodiscard]] double step_s() const noexcept { return part() * hold_s_; }
+  [[nodiscard]] bool stiff() const noexcept { return pace_.stiff; }
+  [[nodiscard]] int level() const noexcept { return pace_.level; }
+  [[nodiscard]] int halvings() const noexcept { return pace_.halvings(); }
+  [[nodiscard]] double step_s() const noexcept { return pace_.part() * hold_s_; }
   /// False: the step is taken again, a finer one.
   [[nodiscard, gnu::always_inline]] bool accepts(const so3::SpinStep& step) noexcept {
-    if (step.error_rad <= part() * tolerance_rad_ || level_ >= kFinestLevel) return true;
-    ++level_;
-    return false;
+    return pace_.accepts(step.error_rad, tolerance_rad_);
   }
   [[gnu::always_inline]] void advance(const so3::SpinStep& step) noexcept {
-    const double allowed_rad = part() * tolerance_rad_;
     y_ = step.end;
     error_rad_ += step.error_rad;
-    slot_ += kSlots >> halvings();
-    if (level_ <= coarsest_) return;
-    if (level_ <= 0) {
-      if (step.coarser_rad <= allowed_rad) --level_;
-    } else if (slot_ % (kSlots >> (level_ - 1)) == 0 &&
-               std::ldexp(step.error_rad, stiff_ ? kStiffOrder : kExplicitOrder) <= allowed_rad) {
-      --level_;
-    }
+    pace_.advance(step.error_rad, step.coarser_rad, tolerance_rad_);
   }
   /// What the hold made of the body.
   [[gnu::always_inline]] End finish(double branch, Quat& q_WO, Vec3& w_WO_W) noexcept {
@@ -121,27 +159,12 @@ class FreeTurn {
   }
 
  private:
-  /// A hold divided by 2^level: exact.
-  static constexpr std::array<double, kFinestLevel + 1> kPart{
-      1.0, 1.0 / 2.0, 1.0 / 4.0, 1.0 / 8.0, 1.0 / 16.0, 1.0 / 32.0, 1.0 / 64.0};
-  /// If a damper needs more than 2 to this explicit steps, one stiff step is better.
-  static constexpr int kStiffLevel = 3;
-  /// A step of twice the length makes an error larger by 2 to this power.
-  static constexpr int kExplicitOrder = 8;
-  static constexpr int kStiffOrder = 5;
-  static constexpr int kSlots = 1 << kFinestLevel;
-
-  [[nodiscard]] double part() const noexcept { return kPart[static_cast<std::size_t>(halvings())]; }
-
   so3::SpinRate rate_;
   so3::SpinVector start_, y_;
   double hold_s_;
   double tolerance_rad_;
   double error_rad_ = 0.0;
-  int level_ = 0;
-  int coarsest_ = 0;
-  int slot_ = 0;  ///< of kSlots that a hold has
-  bool stiff_ = false;
+  TurnPace pace_;
   bool hard_ = false;
   bool watched_ = false;  ///< by the plan
   bool exceeded_ = false;

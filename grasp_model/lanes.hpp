@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #if defined(__SSE2__)
 #include <emmintrin.h>
@@ -18,6 +19,15 @@ using Four = double __attribute__((vector_size(32)));
 using LaneMask = long long __attribute__((vector_size(32)));
 
 inline constexpr LaneMask kEveryLane{-1, -1, -1, -1};
+
+/// What is done for 0, 1, … count - 1, in straight code.
+template <std::size_t count, class Do>
+[[gnu::always_inline]] inline void unrolled(const Do& act) noexcept {
+  [&]<std::size_t... i>(std::index_sequence<i...>) __attribute__((always_inline)) {
+    (act(i), ...);
+  }
+  (std::make_index_sequence<count>{});
+}
 
 [[nodiscard, gnu::always_inline]] inline bool in_every_lane(const LaneMask& mask) noexcept {
   using Pair = long long __attribute__((vector_size(16)));

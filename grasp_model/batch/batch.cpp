@@ -9,8 +9,6 @@
 
 namespace isograsp {
 
-namespace {}  // namespace
-
 Batch::Batch(const Plan& plan, std::size_t count) : Batch(std::vector<const Plan*>(count, &plan)) {}
 
 Batch::Batch(std::vector<const Plan*> plans) : plans_(std::move(plans)) {
@@ -151,8 +149,10 @@ void BatchTerms::take_rates(const Plan& plan, std::size_t lane) {
   const Vec3& I = body.inertia_kg_m2;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto at = static_cast<Eigen::Index>(i);
+    rates.inertia[i][lane] = I[at];
     rates.inverse_inertia[i][lane] = 1.0 / I[at];
     rates.damping[i][lane] = body.damping[at];
+    rates.stiffness_about[i][lane] = body.stiffness[at];
     rates.gyroscopic[i][lane] = I[(at + 2) % 3] - I[(at + 1) % 3];
   }
   const FreeTurn::Terms& terms = turn_terms[lane];
@@ -161,6 +161,9 @@ void BatchTerms::take_rates(const Plan& plan, std::size_t lane) {
   world[lane] = terms.world ? -1 : 0;
   watched[lane] = plan.rate_.watched() ? -1 : 0;
   some_watched = some_watched || plan.rate_.watched();
+  some_pushed = some_pushed || terms.pushed_rate.has_value();
+  const double least_rad = so3::stable_rad(order_of(terms.coarsest_level));
+  stable_rad = lane == 0 ? least_rad : std::min(stable_rad, least_rad);
   resisting[lane] = plan.rate_.resisting(terms.hold_s);
   own_rate[lane] = plan.rate_.own_rate();
   rates.stiffness[lane] = body.stiffness;

@@ -59,6 +59,8 @@ struct alignas(32) BatchTerms {  // a vector asks alignof, which says 16 where t
   Four hold_s, tolerance_rad;
   LaneMask world, watched;
   bool some_watched = false;
+  bool some_pushed = false;  ///< FreeTurn::Terms::pushed_rate
+  double stable_rad = 0.0;   ///< up to this turn of the fastest rate each keeps its coarsest level
   /// Of SpinRate::fastest(): least torque that a speed costs, and the rate of spring and damper.
   Four resisting, own_rate;
   /// All but three free rotations: these get their torque. False: some object needs the long way,
@@ -73,12 +75,15 @@ struct alignas(32) BatchTerms {  // a vector asks alignof, which says 16 where t
   static bool stands_alone(const Plan& plan) noexcept;
   static bool alike(const Plan& a, const Plan& b) noexcept;
   void choose_press(std::size_t translations,
-                    Plan::Rotations rotations) noexcept;  // batch_step.cpp
+                    Plan::Rotations rotations) noexcept;  // batch_press.cpp
   void take_fingers(const Plan& plan, std::size_t lane);
   void take_axes(const Plan& plan, std::size_t lane, std::size_t count);
   void take_rates(const Plan& plan, std::size_t lane);
 };
 
+/// One hold of four objects that turn freely under these torques. Real-time safe.
+void spin_block(const BatchTerms& terms, const std::array<Four, 3>& torque, BatchBlock& block,
+                bool narrow) noexcept;
 /// One hold of four objects. `narrow`: without the wide registers of this processor. Real-time
 /// safe.
 void step_block(const BatchTerms& terms, const BatchTerms::Rows& wrench_C, BatchBlock& block,

@@ -64,21 +64,6 @@ template <bool works>
   return roots(4.0 * turn_squared(d) + h_s * h_s * ((d.wx * d.wx + d.wy * d.wy) + d.wz * d.wz));
 }
 
-/// Lanes that leave the near way of angle_ratio().
-[[gnu::noinline, gnu::cold]] void take_far_ratios(const B& s2, const B& w, const LaneMask& near,
-                                                  B& ratio) noexcept {
-  for (std::size_t i = 0; i < kLaneCount; ++i)
-    if (near[i] == 0) ratio[i] = angle_ratio(s2[i], w[i]);
-}
-[[gnu::always_inline]] inline B angle_ratios(const B& s2, const B& w) noexcept {
-  const B inverse = 1.0 / w;
-  B ratio = 2.0 * inverse * atan_ratio<B>(s2 * inverse * inverse);
-  const LaneMask near = (w > 0.0) & (s2 <= kAtanReach * (w * w));
-  if (!in_every_lane(near)) [[unlikely]]
-    take_far_ratios(s2, w, near, ratio);
-  return ratio;
-}
-
 /// The right-hand side.
 template <bool works>
 [[gnu::always_inline]] inline Spins<works> rate_of(const BodyRates& r, const BodyTorques& t,

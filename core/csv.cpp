@@ -195,10 +195,6 @@ Result<bool> CsvReader::read_row_line() {
   }
 }
 
-std::optional<std::size_t> CsvReader::find(std::string_view name) const noexcept {
-  return index_of(columns_, name);
-}
-
 Error CsvReader::error_here(std::string field, Text what, Text remedy) const {
   return refused(std::move(what), std::move(remedy)).at(path(), line(), std::move(field));
 }
@@ -247,6 +243,49 @@ Result<bool> CsvReader::next(std::size_t column, double& value) {
   const auto field = rest.substr(0, rest.find(','));
   if (!read_field(field, value)) return not_a_number(column, field);
   return true;
+}
+
+Result<std::unique_ptr<TableReader>> open_csv(const std::string& path) {
+  auto csv = CsvReader::open(path);
+  if (!csv) return csv.error();
+  return std::unique_ptr<TableReader>(std::make_unique<CsvReader>(*std::move(csv)));
+}
+
+CsvWriter::CsvWriter(FileWriter file, std::size_t columns)
+    : file_(std::move(file)), longest_row_(columns * (kLongestNumber + 1)) {
+  constexpr std::size_t kBlock = std::size_t{1} << 16;
+  block_.resize(std::max(kBlock, longest_row_));
+}
+
+Result<std::unique_ptr<TableWriter>> CsvWriter::create(const std::string& path,
+                                                       std::span<const std::string> columns) {
+  auto file = FileWriter::create(path);
+  if (!file) return file.error();
+  std::string head;
+  for (const std::string& name : columns) head += (head.empty() ? "" : ",") + without_formula(name);
+  file->write(head + "\n");
+  return std::unique_ptr<TableWriter>(new CsvWriter(*std::move(file), columns.size()));
+}
+
+void CsvWriter::add(std::span<const double> row) {
+  if (block_.size() - used_ < longest_row_) flush();
+  char* at = block_.data() + used_;
+  for (const double number : row) {
+    at = print_number(at, number);
+    *at++ = ',';
+  }
+  at[-1] = '\n';
+  used_ = static_cast<std::size_t>(at - block_.data());
+}
+
+Result<void> CsvWriter::commit() {
+  flush();
+  return file_.commit();
+}
+
+void CsvWriter::flush() {
+  file_.write({block_.data(), used_});
+  used_ = 0;
 }
 
 Result<Signals> read_signals(const std::string& path) {

@@ -12,6 +12,7 @@
 #include "core/lines.hpp"
 #include "core/result.hpp"
 #include "core/signals.hpp"
+#include "core/tables/number_table.hpp"
 
 namespace isograsp {
 
@@ -35,7 +36,7 @@ void append_number(std::string& text, double value);
 [[nodiscard]] bool parse_number(std::string_view field, double& value) noexcept;
 
 /// Reads a table of numbers row by row, in constant memory. Errors name file, line and column.
-class CsvReader {
+class CsvReader final : public TableReader {
  public:
   /// Most columns of a table.
   static constexpr std::size_t kMostColumns = 10000;
@@ -44,24 +45,22 @@ class CsvReader {
   /// or empty names and more than kMostColumns are errors.
   [[nodiscard]] static Result<CsvReader> open(const std::string& path);
 
-  [[nodiscard]] const std::vector<std::string>& columns() const noexcept { return columns_; }
-  /// Index of a column; nothing: there is none of this name.
-  [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const noexcept;
+  [[nodiscard]] const std::vector<std::string>& columns() const noexcept override {
+    return columns_;
+  }
   /// Comment lines before the header, without the '#' and surrounding blanks.
-  [[nodiscard]] const std::vector<std::string>& comments() const noexcept { return comments_; }
+  [[nodiscard]] const std::vector<std::string>& comments() const noexcept override {
+    return comments_;
+  }
   [[nodiscard]] const std::string& path() const noexcept { return lines_.path(); }
   /// Line of the row read last, 1-based.
   [[nodiscard]] int line() const noexcept { return lines_.line(); }
 
-  /// Reads the next row; an empty field becomes NaN. False at the end of the file.
-  /// @pre row.size() == columns().size()
-  [[nodiscard]] Result<bool> next(std::span<double> row);
-  /// The same for one column; does not look at the fields behind it, nor for numbers in those
-  /// before it. @pre column < columns().size()
-  [[nodiscard]] Result<bool> next(std::size_t column, double& value);
-
-  /// An error at the row read last.
-  [[nodiscard]] Error error_here(std::string field, Text what, Text remedy) const;
+  /// An empty field becomes NaN.
+  [[nodiscard]] Result<bool> next(std::span<double> row) override;
+  /// Does not look at the fields behind this one, nor for numbers in those before it.
+  [[nodiscard]] Result<bool> next(std::size_t column, double& value) override;
+  [[nodiscard]] Error error_here(std::string field, Text what, Text remedy) const override;
 
  private:
   explicit CsvReader(LineReader lines) : lines_(std::move(lines)) {}
@@ -75,6 +74,28 @@ class CsvReader {
   std::vector<std::string> columns_;
   std::vector<std::string> comments_;
   std::string_view text_;  ///< the current line without its end
+};
+
+/// A CsvReader, for whoever does not mind what holds its numbers.
+[[nodiscard]] Result<std::unique_ptr<TableReader>> open_csv(const std::string& path);
+
+/// Prints rows straight into one block, which goes to the file when it is full.
+class CsvWriter final : public TableWriter {
+ public:
+  [[nodiscard]] static Result<std::unique_ptr<TableWriter>> create(
+      const std::string& path, std::span<const std::string> columns);
+  /// NaN becomes an empty field.
+  void add(std::span<const double> row) override;
+  [[nodiscard]] Result<void> commit() override;
+
+ private:
+  CsvWriter(FileWriter file, std::size_t columns);
+  void flush();
+
+  FileWriter file_;
+  std::vector<char> block_;
+  std::size_t longest_row_;
+  std::size_t used_ = 0;
 };
 
 /// A whole table in memory: a signals file. Requires `t_s`, strictly increasing, and two rows.

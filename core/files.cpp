@@ -177,6 +177,10 @@ void FileWriter::write(std::string_view text) {
   if (waiting_.size() >= kPieceWritten) flush();
 }
 
+std::string FileWriter::name_for_library() const {
+  return "/proc/self/fd/" + std::to_string(out_.number());
+}
+
 void FileWriter::flush() noexcept {
   std::string_view rest = waiting_;
   while (good_ && !rest.empty()) {

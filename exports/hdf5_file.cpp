@@ -8,44 +8,15 @@
 
 #include <hdf5.h>
 
+#include "exports/hdf5_handle.hpp"
+
 namespace isograsp::exports {
 
 namespace {
 
 static_assert(std::is_same_v<hid_t, std::int64_t>);
 
-constexpr hsize_t kChunkRows = 4096;  // 32 KiB: of the size that the chunk cache is made for
-constexpr unsigned kDeflate = 4;      // a higher level takes twice as long and saves a percent
-
-/// Ids that the library gives are negative if it failed.
-template <class Id>
-Id checked(Id id, const char* what) {
-  if (id < 0) throw Hdf5Error(std::string(what) + " cannot be written");
-  return id;
-}
-
-/// Anything of the library that has to be given back.
-class Owned {
- public:
-  Owned(hid_t id, herr_t (*close)(hid_t)) : id_(checked(id, "a part of the file")), close_(close) {}
-  Owned(Owned&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
-  Owned& operator=(Owned&&) = delete;
-  ~Owned() {
-    if (id_ >= 0) close_(id_);
-  }
-  operator hid_t() const noexcept { return id_; }
-
- private:
-  hid_t id_;
-  herr_t (*close_)(hid_t);
-};
-
-Owned text_type() {
-  Owned type(H5Tcopy(H5T_C_S1), H5Tclose);
-  checked(H5Tset_size(type, H5T_VARIABLE), "a text");
-  checked(H5Tset_cset(type, H5T_CSET_UTF8), "a text");
-  return type;
-}
+constexpr unsigned kDeflate = 4;  // a higher level takes twice as long and saves a percent
 
 /// The two values as readers of HDF5 expect a truth value.
 Owned bool_type() {
@@ -53,29 +24,6 @@ Owned bool_type() {
   for (const std::int8_t value : {std::int8_t{0}, std::int8_t{1}})
     checked(H5Tenum_insert(type, value == 0 ? "FALSE" : "TRUE", &value), "a truth value");
   return type;
-}
-
-Owned space_of(std::size_t count) {
-  const hsize_t size = count;
-  return {H5Screate_simple(1, &size, nullptr), H5Sclose};
-}
-
-Owned scalar() {
-  return {H5Screate(H5S_SCALAR), H5Sclose};
-}
-
-/// Dataset properties without time stamps.
-Owned timeless() {
-  Owned properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-  checked(H5Pset_obj_track_times(properties, false), "a dataset");
-  return properties;
-}
-
-void write_attribute(hid_t owner, const std::string& name, hid_t type, hid_t space,
-                     const void* value) {
-  const Owned attribute(H5Acreate2(owner, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
-                        H5Aclose);
-  checked(H5Awrite(attribute, type, value), name.c_str());
 }
 
 void write_dataset(hid_t owner, const std::string& name, hid_t type, hid_t space,
@@ -123,7 +71,7 @@ Hdf5Node::~Hdf5Node() {
 }
 
 Hdf5Node Hdf5Node::create_file(const std::string& path) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are told by exceptions
+  tell_errors_by_exceptions();
   return {checked(H5Fcreate(path.c_str(), H5F_ACC_EXCL, H5P_DEFAULT, H5P_DEFAULT), path.c_str()),
           Kind::file};
 }
@@ -236,9 +184,7 @@ void Hdf5Node::set(const std::string& attribute, const ExportValue& value) {
 }
 
 void Hdf5Node::set(const std::string& attribute, const std::vector<std::string>& texts) {
-  std::vector<const char*> characters;
-  for (const auto& text : texts) characters.push_back(text.c_str());
-  write_attribute(id_, attribute, text_type(), space_of(texts.size()), characters.data());
+  write_texts(id_, attribute, texts);
 }
 
 void Hdf5Node::set(std::span<const ExportFact> facts) {

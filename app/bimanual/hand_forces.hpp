@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "bimanual/pads/side.hpp"
-#include "core/csv.hpp"
 #include "core/result.hpp"
 #include "hand/finger.hpp"
 #include "hand/finger_forces.hpp"
@@ -32,9 +31,9 @@ struct HandNeeds {
   std::array<bool, kFingerCount> fingers{};
 };
 
-/// Streams one hand of a file in constant memory. Fingers stand as on the platform
-/// (device/config/platform.hpp), of the left hand turned by pi about y; their net push is their
-/// sum.
+/// Streams one hand of a table (app/table_files.hpp) in constant memory. Fingers stand as on the
+/// platform (device/config/platform.hpp), of the left hand turned by pi about y; their net push is
+/// their sum.
 class HandForcesReader {
  public:
   /// Pushes and fingers of one hand in one file are an error.
@@ -46,9 +45,10 @@ class HandForcesReader {
   [[nodiscard]] Error no_sample() const;
 
  private:
-  HandForcesReader(CsvReader csv, bimanual::Side side) : csv_(std::move(csv)), side_(side) {}
+  HandForcesReader(std::unique_ptr<TableReader> table, bimanual::Side side)
+      : table_(std::move(table)), side_(side) {}
 
-  CsvReader csv_;
+  std::unique_ptr<TableReader> table_;
   bimanual::Side side_;
   std::size_t time_ = 0;
   std::array<std::optional<std::size_t>, 3> push_;

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "app/bimanual/hand_forces.hpp"
-#include "app/bimanual/number_lines.hpp"
 #include "app/hands_simulation.hpp"
+#include "app/simulation/table_files.hpp"
 #include "bimanual/carried_object.hpp"
 #include "bimanual/read_hands.hpp"
 #include "bimanual/two_hands.hpp"
@@ -25,7 +25,8 @@ struct PushRow {
 };
 
 Result<std::vector<PushRow>> read_pushes(const std::string& path) {
-  if (const auto times = read_time_grid(path); !times) return times.error();
+  const auto grid = read_time_grid([&] { return open_table(path); });
+  if (!grid) return grid.error();
   std::vector<PushRow> rows;
   for (std::size_t side = 0; side < kSides; ++side) {
     auto reader = HandForcesReader::open(path, static_cast<bimanual::Side>(side), {.push = true});
@@ -44,24 +45,23 @@ Result<std::vector<PushRow>> read_pushes(const std::string& path) {
   return rows;
 }
 
-std::string hands_header() {
-  std::string head = "t_s";
-  const auto three = [&](const std::string& name, const std::string& unit) {
-    for (const char axis : {'x', 'y', 'z'}) head += "," + name + axis + unit;
-  };
-  for (const char* side : kSideNames) three(std::string(side) + "_", "_m");
-  for (const char* side : kSideNames) three(std::string(side) + "_bubble_", "_m");
-  head += ",left_excess,right_excess";
-  three("view_", "_m");
-  head += ",view_yaw_rad,view_distance_m,left_squeeze_N,right_squeeze_N,grasp,joint";
-  three("", "_m");
-  head += ",qw,qx,qy,qz";
-  three("v", "_mps");
-  three("w", "_radps");
-  return head;
+std::vector<std::string> hands_columns() {
+  std::vector<std::string> names{"t_s"};
+  for (const char* side : kSideNames) add_three(names, std::string(side) + "_", "_m");
+  for (const char* side : kSideNames) add_three(names, std::string(side) + "_bubble_", "_m");
+  names.insert(names.end(), {"left_excess", "right_excess"});
+  add_three(names, "view_", "_m");
+  names.insert(names.end(), {"view_yaw_rad", "view_distance_m"});
+  for (const char* side : kSideNames) names.push_back(std::string(side) + "_squeeze_N");
+  names.insert(names.end(), {"grasp", "joint"});
+  add_three(names, "", "_m");
+  names.insert(names.end(), {"qw", "qx", "qy", "qz"});
+  add_three(names, "v", "_mps");
+  add_three(names, "w", "_radps");
+  return names;
 }
 
-void put_hands(NumberLines& out, const HandsState& hands) {
+void put_hands(NumberRows& out, const HandsState& hands) {
   for (const Vec3& p : hands.p_W) out.put(p);
   for (const Vec3& p : hands.bubble_W) out.put(p);
   for (const double excess : hands.excess) out.put(excess);
@@ -70,10 +70,9 @@ void put_hands(NumberLines& out, const HandsState& hands) {
   out.put(hands.view.distance_m);
 }
 
-void put_object(NumberLines& out, const ObjectState& object) {
+void put_object(NumberRows& out, const ObjectState& object) {
   out.put(object.X_WO.p);
-  const Quat& q = object.X_WO.q;
-  for (const double part : {q.w(), q.x(), q.y(), q.z()}) out.put(part);
+  out.put(object.X_WO.q);
   out.put(object.v_WO_W);
   out.put(object.w_WO_W);
 }
@@ -94,10 +93,9 @@ Result<void> simulate_hands(const HandsSimulation& options) {
   if (!rows) return rows.error();
   const auto plan = Plan::compile(scene->object, (*rows)[1].t_s - (*rows)[0].t_s);
   if (!plan) return plan.error();
-  auto file = FileWriter::create(options.out);
-  if (!file) return file.error();
-  NumberLines out(std::move(*file));
-  out.head(hands_header());
+  auto rows_out = NumberRows::create(options.out, hands_columns());
+  if (!rows_out) return rows_out.error();
+  NumberRows& out = *rows_out;
   bimanual::TwoHands hands(scene->hands);
   bimanual::GraspOfHands grasp(scene->grasp.value_or(bimanual::GraspDetection{}),
                                scene->object.shape, scene->object.size_m);

@@ -7,10 +7,9 @@
 
 #include "app/console.hpp"
 #include "app/hands_simulation.hpp"
+#include "app/simulation/table_files.hpp"
 #include "bimanual/pads/held_by_pads.hpp"
 #include "bimanual/read_hands.hpp"
-#include "core/csv.hpp"
-#include "core/tables/word_table.hpp"
 
 namespace isograsp::app {
 
@@ -30,35 +29,36 @@ struct ProxyRow {
 class ProxyTable {
  public:
   static Result<ProxyTable> open(const std::string& path) {
-    auto table = WordTable::open(path);
+    auto table = open_table(path);
     if (!table) return table.error();
     ProxyTable proxies(*std::move(table));
     std::vector<std::string> names{"t_s"};
-    for (const char* side : {"left", "right"}) {
-      for (const char axis : {'x', 'y', 'z'})
-        names.push_back(std::string(side) + "_" + axis + "_m");
-      for (const char axis : {'x', 'y', 'z'})
-        names.push_back(std::string(side) + "_r" + axis + "_rad");
+    for (const std::string side : {"left_", "right_"}) {
+      add_three(names, side, "_m");
+      add_three(names, side + "r", "_rad");
     }
     for (const std::string& name : names) {
-      const auto place = proxies.table_.require(name);
-      if (!place) return place.error();
+      const auto place = proxies.table_->find(name);
+      if (!place)
+        return proxies.table_->error_here(name, "the column is missing"_text,
+                                          "add the column"_text);
       proxies.places_.push_back(*place);
     }
-    proxies.gravity_ = proxies.table_.find("gravity_y_m_s2");
+    if (const auto gravity = proxies.table_->find(kGravity)) proxies.places_.push_back(*gravity);
+    proxies.fields_.resize(proxies.table_->columns().size());
     return proxies;
   }
 
   /// Nothing: there is no further row.
   Result<std::optional<ProxyRow>> next() {
-    const auto more = table_.next();
+    const auto more = table_->next(fields_);
     if (!more) return more.error();
     if (!*more) return std::optional<ProxyRow>();
     std::vector<double> values;
     for (const std::size_t place : places_) {
-      const auto number = table_.required_number(place);
-      if (!number) return number.error();
-      values.push_back(*number);
+      if (std::isnan(fields_[place]))
+        return table_->error_here(table_->columns()[place], "is empty"_text, "write a number"_text);
+      values.push_back(fields_[place]);
     }
     ProxyRow row;
     row.t_s = values[0];
@@ -67,22 +67,20 @@ class ProxyTable {
       row.p_W[side] = {of[0], of[1], of[2]};
       row.rotation_rad[side] = {of[3], of[4], of[5]};
     }
-    if (gravity_) {
-      const auto gravity = table_.required_number(*gravity_);
-      if (!gravity) return gravity.error();
-      row.gravity_y_m_s2 = *gravity;
-    }
+    if (values.size() > 1 + 6 * kSides) row.gravity_y_m_s2 = values.back();
     return std::optional<ProxyRow>(row);
   }
   [[nodiscard]] Error error_here(Text what, Text remedy) const {
-    return table_.error_here("t_s", std::move(what), std::move(remedy));
+    return table_->error_here("t_s", std::move(what), std::move(remedy));
   }
 
  private:
-  explicit ProxyTable(WordTable table) : table_(std::move(table)) {}
-  WordTable table_;
-  std::vector<std::size_t> places_;
-  std::optional<std::size_t> gravity_;
+  static constexpr const char* kGravity = "gravity_y_m_s2";
+
+  explicit ProxyTable(std::unique_ptr<TableReader> table) : table_(std::move(table)) {}
+  std::unique_ptr<TableReader> table_;
+  std::vector<std::size_t> places_;  ///< t_s, six of each hand, gravity if there is such a column
+  std::vector<double> fields_;
 };
 
 /// Between two rows everything goes straight.
@@ -100,31 +98,25 @@ Proxies between(const ProxyRow& a, const ProxyRow& b, double t_s) {
   return proxies;
 }
 
-std::string pads_header(const std::vector<bimanual::PadSpec>& pads) {
-  std::string head = "t_s,x_m,y_m,z_m,qw,qx,qy,qz";
+std::vector<std::string> pads_columns(const std::vector<bimanual::PadSpec>& pads) {
+  std::vector<std::string> names{"t_s", "x_m", "y_m", "z_m", "qw", "qx", "qy", "qz"};
   for (const bimanual::PadSpec& pad : pads) {
-    const std::string name = pad.hand == bimanual::Side::left ? "left_pad_" : "right_pad_";
-    for (const char axis : {'x', 'y', 'z'}) head += "," + name + "f" + axis + "_N";
-    for (const char axis : {'x', 'y', 'z'}) head += "," + name + "t" + axis + "_Nm";
+    const std::string pad_name = pad.hand == bimanual::Side::left ? "left_pad_" : "right_pad_";
+    add_three(names, pad_name + "f", "_N");
+    add_three(names, pad_name + "t", "_Nm");
   }
-  return head + "\n";
+  return names;
 }
 
-std::string pads_row(double t_s, const bimanual::HeldByPads& held) {
-  std::string row;
-  const auto put = [&row](double number) {
-    if (!row.empty()) row += ',';
-    append_number(row, number);
-  };
-  put(t_s);
-  for (const double place : held.X_WO().p) put(place);
-  const Quat& q = held.X_WO().q;
-  for (const double part : {q.w(), q.x(), q.y(), q.z()}) put(part);
+void add_row(NumberRows& out, double t_s, const bimanual::HeldByPads& held) {
+  out.put(t_s);
+  out.put(held.X_WO().p);
+  out.put(held.X_WO().q);
   for (const Wrench& wrench : held.wrenches()) {
-    for (const double part : wrench.force) put(part);
-    for (const double part : wrench.torque) put(part);
+    out.put(wrench.force);
+    out.put(wrench.torque);
   }
-  return row + "\n";
+  out.end();
 }
 
 }  // namespace
@@ -143,13 +135,12 @@ Result<void> simulate_pads(const HandsSimulation& options, const std::string& so
   auto row = table->next();
   if (!row) return row.error();
   if (!*row) return refused("has no rows"_text, "record for longer"_text).at(options.forces);
-  auto file = FileWriter::create(options.out);
-  if (!file) return file.error();
+  auto out = NumberRows::create(options.out, pads_columns(scene->pads));
+  if (!out) return out.error();
   ProxyRow last = **row;
   bimanual::HeldByPads held(scene->object, scene->pads, scene->pad_step_s, chosen,
                             between(last, last, last.t_s));
-  file->write(pads_header(scene->pads));
-  file->write(pads_row(last.t_s, held));
+  add_row(*out, last.t_s, held);
   const double start_s = last.t_s;
   std::int64_t steps = 0;
   constexpr double kSlack = 1e-9;  // of a step: sums of steps are rounded
@@ -167,13 +158,13 @@ Result<void> simulate_pads(const HandsSimulation& options, const std::string& so
       held.step(between(last, next, std::min(end_s, next.t_s)),
                 scene->object.gravity_m_s2 + Vec3(0.0, next.gravity_y_m_s2, 0.0));
       ++steps;
-      file->write(pads_row(end_s, held));
+      add_row(*out, end_s, held);
     }
     last = next;
   }
   if (!held.settled())
     print_note("some steps ended before their sweeps had settled: forces there are not exact"_text);
-  return file->commit();
+  return out->commit();
 }
 
 }  // namespace isograsp::app

@@ -6,9 +6,8 @@
 #include <vector>
 
 #include "app/bimanual/hand_forces.hpp"
-#include "app/bimanual/number_lines.hpp"
 #include "app/hands_simulation.hpp"
-#include "app/trajectory.hpp"
+#include "app/simulation/trajectory.hpp"
 #include "bimanual/read_hands.hpp"
 #include "hand/stale.hpp"
 
@@ -96,7 +95,7 @@ class Touching {
 }  // namespace
 
 Result<void> simulate_pressed(const bimanual::HandsScene& scene, const HandsSimulation& options) {
-  const auto grid = read_time_grid(options.forces);
+  const auto grid = read_time_grid([&] { return open_table(options.forces); });
   if (!grid) return grid.error();
   const auto pressed = PressedByHands::compile(scene.object, scene.contacts, grid->hold_s);
   if (!pressed) return pressed.error();
@@ -105,23 +104,21 @@ Result<void> simulate_pressed(const bimanual::HandsScene& scene, const HandsSimu
   auto right = PressingHand::open(options.forces, Side::right, scene.contacts[1]);
   if (!right) return right.error();
   const std::array<PressingHand*, kSides> hands{&*left, &*right};
-  auto times = CsvReader::open(options.forces);  // one row ahead: a hold ends with the next row
-  if (!times) return times.error();
-  const std::size_t time = *times->find("t_s");
-  auto out = FileWriter::create(options.out);
-  if (!out) return out.error();
-
-  const auto columns = contact_columns(scene);
-  TrajectoryWriter trajectory(std::move(*out), columns);
+  const auto opened = open_table(options.forces);  // one row ahead: a hold ends with the next row
+  if (!opened) return opened.error();
+  TableReader& times = **opened;
+  const std::size_t time = *times.find("t_s");
+  auto trajectory = TrajectoryWriter::create(options.out, contact_columns(scene));
+  if (!trajectory) return trajectory.error();
   Touching touching(scene);
   bimanual::PressedState state = pressed->initial_state();
   PressedWrench wrench;
   HoldCount count;
   double t_s = 0.0, next_t_s = 0.0, hold_s = grid->hold_s;
-  if (const auto first = times->next(time, next_t_s); !first) return first.error();
+  if (const auto first = times.next(time, next_t_s); !first) return first.error();
   for (bool more = true; more;) {
     t_s = next_t_s;
-    const auto ahead = times->next(time, next_t_s);
+    const auto ahead = times.next(time, next_t_s);
     if (!ahead) return ahead.error();
     more = *ahead;
     // The last row holds as long as the row before it.
@@ -134,47 +131,48 @@ Result<void> simulate_pressed(const bimanual::HandsScene& scene, const HandsSimu
           hands[side]->wrenches(hold_s, wrench_C[side]) == StaleRule::Verdict::frozen || frozen;
     }
     if (!frozen) wrench = pressed->grasp(wrench_C, state);
-    trajectory.add(t_s, state.object, wrench.both.F_O_W, touching.of(wrench));
+    trajectory->add(t_s, state.object, wrench.both.F_O_W, touching.of(wrench));
     ++count.all;
     if (frozen)
       ++count.frozen;
     else
       pressed->move(wrench, hold_s, state);
     if (state.object.tolerance_exceeded && !frozen) ++count.inexact;
-    if (!more) trajectory.add(t_s + hold_s, state.object, wrench.both.F_O_W, touching.of(wrench));
+    if (!more) trajectory->add(t_s + hold_s, state.object, wrench.both.F_O_W, touching.of(wrench));
   }
-  if (const auto done = trajectory.commit(); !done) return done.error();
+  if (const auto done = trajectory->commit(); !done) return done.error();
   count.print_notes();
   return {};
 }
 
 Result<void> simulate_uncoupled(const HandsSimulation& options) {
-  if (const auto times = read_time_grid(options.forces); !times) return times.error();
+  const auto grid = read_time_grid([&] { return open_table(options.forces); });
+  if (!grid) return grid.error();
   auto left = HandForcesReader::open(options.forces, Side::left, {.push = true});
   if (!left) return left.error();
   auto right = HandForcesReader::open(options.forces, Side::right, {.push = true});
   if (!right) return right.error();
   const std::array<HandForcesReader*, kSides> hands{&*left, &*right};
-  auto file = FileWriter::create(options.out);
-  if (!file) return file.error();
-  NumberLines out(std::move(*file));
-  std::string head = "t_s,left_force_N,right_force_N";
+  std::vector<std::string> columns{"t_s"};
+  for (const Side side : {Side::left, Side::right}) columns.push_back(prefix_of(side) + "force_N");
   for (const Side side : {Side::left, Side::right})
-    for (const char axis : {'x', 'y', 'z'}) head += "," + prefix_of(side) + "push_" + axis + "_N";
-  out.head(head);
+    add_three(columns, prefix_of(side) + "push_", "_N");
+  auto out = NumberRows::create(options.out, columns);
+  if (!out) return out.error();
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   for (;;) {
     std::array<HandForcesRow, kSides> rows;
     for (std::size_t side = 0; side < kSides; ++side) {
       const auto more = hands[side]->next(rows[side]);
       if (!more) return more.error();
-      if (!*more) return out.commit();
+      if (!*more) return out->commit();
     }
-    out.put(rows.front().t_s);
-    for (const HandForcesRow& row : rows) out.put(row.push_W ? row.push_W->force.norm() : kUnknown);
+    out->put(rows.front().t_s);
     for (const HandForcesRow& row : rows)
-      out.put(row.push_W ? row.push_W->force : Vec3(Vec3::Constant(kUnknown)));
-    out.end();
+      out->put(row.push_W ? row.push_W->force.norm() : kUnknown);
+    for (const HandForcesRow& row : rows)
+      out->put(row.push_W ? row.push_W->force : Vec3(Vec3::Constant(kUnknown)));
+    out->end();
   }
 }
 

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs every engine on every case and writes results.csv, scenes.csv, kernels.csv, machine.json,
 then scoring.csv and scoring.json (--scoring: only these), markers.csv and markers.json (--markers),
-hand_world.csv and hand_world.json (--hand), pads.csv and pads.json (--pads).
+hand_world.csv and hand_world.json (--hand), pads.csv and pads.json (--pads),
+whole.csv and whole.json (--whole).
 
 Each engine is a program of its own (bench/harness.hpp): one that aborts, hangs or diverges gets
 that as its status and takes nobody with it. Errors are measured once, times in rounds that go
@@ -23,6 +24,7 @@ import signal
 import statistics
 import subprocess
 import sys
+import tempfile
 import time
 from concurrent.futures import ThreadPoolExecutor
 
@@ -265,6 +267,42 @@ def measure_pads(build, out, pin, described):
     (out / "pads.json").write_text(json.dumps({**described, "load": load}, indent=2) + "\n")
 
 
+def processor_s(command):
+    """Processor time of a whole program, that of the system included."""
+    program = os.posix_spawn(command[0], [str(word) for word in command], os.environ)
+    _, status, used = os.wait4(program, 0)
+    if status:
+        sys.exit(f"bench: {command} failed")
+    return used.ru_utime + used.ru_stime
+
+
+def measure_whole(source, build, out, pin, described):
+    """An hour of forces, by the whole program and by what reads and writes alone, in turns."""
+    note("the whole program")
+    load = f"{os.getloadavg()[0]:.1f}"
+    pin = [shutil.which(pin[0]), *pin[1:]] if pin else []
+    given = source / "tests/data/dynamics"
+    with tempfile.TemporaryDirectory(dir=build) as folder:
+        folder = pathlib.Path(folder)
+        tables = build / "bench/bench_tables"
+        processor_s([tables, "hour", given / "forces.csv", folder / "in.csv", folder / "in.h5"])
+        commands = {}
+        for kind, ending in (("text", "csv"), ("HDF5", "h5")):
+            ends = [folder / f"in.{ending}", folder / f"out.{ending}"]
+            commands["alone", kind] = [*pin, tables, "alone", *ends]
+            for scene in ("S1", "S2", "S3"):
+                commands[scene, kind] = [*pin, build / "isograsp", "simulate", "--scene", given / f"{scene}.toml",
+                                         "--forces", ends[0], "--out", ends[1]]
+        times = [{case: processor_s(command) for case, command in commands.items()} for _ in range(ROUNDS)]
+    rows = []
+    for case, kind in commands:
+        hour_s = statistics.median(turn[case, kind] for turn in times)
+        rest_s = statistics.median(turn[case, kind] - turn["alone", kind] for turn in times)
+        rows.append(dict(case=case, kind=kind, s=digits(hour_s), more_s="" if case == "alone" else digits(rest_s)))
+    write_csv(out / "whole.csv", ["case", "kind", "s", "more_s"], rows)
+    (out / "whole.json").write_text(json.dumps({**described, "load": load}, indent=2) + "\n")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--source", type=pathlib.Path, required=True)
@@ -275,6 +313,7 @@ def main():
     parser.add_argument("--markers", action="store_true")
     parser.add_argument("--hand", action="store_true")
     parser.add_argument("--pads", action="store_true")
+    parser.add_argument("--whole", action="store_true")
     options = parser.parse_args()
     build, out = options.build.resolve(), options.out.resolve()
     out.mkdir(parents=True, exist_ok=True)
@@ -291,6 +330,9 @@ def main():
         return
     if options.pads:
         measure_pads(build, out, pin, machine(options.source, build, core, options.peers, ""))
+        return
+    if options.whole:
+        measure_whole(options.source, build, out, pin, machine(options.source, build, core, False, ""))
         return
     if options.markers:
         measure_markers(build, out, pin, machine(options.source, build, core, False, ""))
@@ -351,6 +393,7 @@ def main():
     write_csv(out / "kernels.csv", ["kernel", "ns"], [dict(kernel=n, ns=t) for n, t in kernels])
     described = machine(options.source, build, core, options.peers, counter)
     (out / "machine.json").write_text(json.dumps(described, indent=2) + "\n")
+    measure_whole(options.source, build, out, pin, described)
     measure_scoring(build, out, pin, described)
     measure_markers(build, out, pin, described)
     measure_hand(build, out, pin, described)

@@ -283,6 +283,22 @@ def pads(results):
     return f"{conditions(results.pads_machine)}\n\n{lines}"
 
 
+def whole(results):
+    """A row a case, text and HDF5 beside each other."""
+    frames = 360_000
+    cells = {(r["case"], r["kind"]): r for r in results.whole}
+    rows = []
+    for case in dict.fromkeys(r["case"] for r in results.whole):
+        row = ["read and written alone" if case == "alone" else case]
+        for kind in ("text", "HDF5"):
+            one = cells[case, kind]
+            row += [f"{float(one['s']):.2f} s",
+                    time(float(one["more_s"]) / frames * 1e9) if one["more_s"] else ""]
+        rows.append(row)
+    lines = table(["", "text", "more, a frame", "HDF5", "more, a frame"], rows)
+    return f"{conditions(results.whole_machine)}\n\n{lines}"
+
+
 def scoring(results):
     lines = table(["", "processor time"],
                   [[s["scoring"].replace("/", ", ").replace("_", " "), time(float(s["ms"]) * 1e6)]
@@ -295,7 +311,7 @@ def main(folder, page):
     text = (pathlib.Path(__file__).parent / "performance.md.in").read_text()
     fields = dict(machine=machine(results), noise=noise(results), ours=ours(results),
                   scenes=scenes(results), kernels=kernels(results),
-                  scoring=scoring(results), markers=markers(results), hand=hand(results), hold=hold(results), pads=pads(results), by_hand=by_hand(results),
+                  whole=whole(results), scoring=scoring(results), markers=markers(results), hand=hand(results), hold=hold(results), pads=pads(results), by_hand=by_hand(results),
                   hand_wins=hand_wins(results))
     if results.machine["peers"]:
         fields.update(closest=closest(results), levels=levels(results, False),

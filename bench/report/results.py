@@ -80,6 +80,9 @@ class Results:
         with open(folder / "hand_hold.csv", newline="") as file:
             self.hold = list(csv.DictReader(file))
         self.hand_machine = json.loads((folder / "hand_world.json").read_text())
+        with open(folder / "whole.csv", newline="") as file:
+            self.whole = list(csv.DictReader(file))
+        self.whole_machine = json.loads((folder / "whole.json").read_text())
         with open(folder / "pads.csv", newline="") as file:
             self.pads = list(csv.DictReader(file))
         self.pads_machine = json.loads((folder / "pads.json").read_text())

@@ -4,12 +4,14 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <regex>
 #include <sstream>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "core/csv.hpp"
+#include "hand/platform_records.hpp"
 #include "storage/access/open_store.hpp"
 #include "storage/records/session_store.hpp"
 #include "tests/support/bids_validator.hpp"
@@ -81,6 +83,44 @@ std::string bytes_of(double value) {
     text += two;
   }
   return text;
+}
+
+/// The scene with the contact thresholds that the trial says it was moved with.
+std::string scene_of(const storage::TrialRecord& trial) {
+  std::string text = std::regex_replace(trial.scene_text, std::regex("threshold_N *=.*"), "");
+  for (std::size_t f = 0; f < kFingerCount; ++f) {
+    const auto threshold_N = storage::value_of(trial.references, platform::kThreshold_N[f]);
+    const std::string finger = "finger = \"" + std::string(kFingerNames[f]) + "\"";
+    const std::size_t at = text.find(finger);
+    if (threshold_N && at != std::string::npos)
+      text.insert(at + finger.size(), "\nthreshold_N = " + format_number(*threshold_N));
+  }
+  return text;
+}
+
+TEST_F(Export, AnExportedTrialMovesItsObjectAgainToTheBit) {
+  const std::string file = exported("hdf5", "again") + "/isograsp.h5";
+  test::AtLeast objects(1);
+  for (int number = 1; const Stored& one : stored(db_)) {
+    const std::string trial = "/patients/T-01/session-01/trial-0" + std::to_string(number++);
+    if (one.trial.scene_text.empty()) continue;
+    ++objects;
+    const auto again = isograsp(
+        "simulate --scene " + folder_->write("scene.toml", scene_of(one.trial)) + " --forces " +
+        file + ":" + trial + "/signals --out " + folder_->path("again.csv"));
+    ASSERT_EQ(again.status, 0) << again.err;
+    const auto moved = read_signals(folder_->path("again.csv"));
+    ASSERT_TRUE(moved.ok());
+    ASSERT_EQ(moved->rows(), one.signals.rows() + 1);
+    const std::map<std::string, std::string> columns{
+        {"actual_x_m", "x_m"}, {"actual_y_m", "y_m"},   {"actual_z_m", "z_m"},
+        {"actual_qw", "qw"},   {"actual_qz", "qz"},     {"vx_mps", "vx_mps"},
+        {"fx_N", "fx_N"},      {"wz_radps", "wz_radps"}};
+    for (const auto& [stored_as, written_as] : columns)
+      for (std::size_t row = 0; row < one.signals.rows(); ++row)
+        ASSERT_EQ(one.signals.column(stored_as)[row], moved->column(written_as)[row])
+            << trial << ": " << stored_as << " of row " << row + 1;
+  }
 }
 
 TEST_F(Export, H5pyReadsEveryNumberUnitAndText) {

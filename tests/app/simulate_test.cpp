@@ -248,6 +248,49 @@ TEST(Simulate, ComparesBitForBitWithItself) {
   EXPECT_EQ(simulate(scene("", free), forces).rows, simulate(scene("", free), forces).rows);
 }
 
+TEST(Simulate, SaysTheSameAsHdf5AsInText) {
+  const test::TemporaryFolder folder;
+  const std::string given =
+      folder.write("scene.toml", scene("", "\"x\", \"y\", \"rx\", \"ry\", \"rz\""));
+  std::string forces = kHeader;
+  for (int k = 0; k < 5000; ++k) {  // more than a block, and a sample that is missing
+    const std::string t_s = format_number(0.01 * k);
+    forces += t_s + (k == 4200 ? ",,,\n" : ",0.1," + format_number(0.001 * (k % 300)) + ",1\n");
+  }
+  const auto simulated = [&](const std::string& from, const std::string& to) {
+    const auto answer = run(
+        folder, "simulate --scene " + given + " --forces " + from + " --out " + folder.path(to));
+    EXPECT_EQ(answer.status, 0) << answer.err;
+    std::stringstream all;
+    all << std::ifstream(folder.path(to), std::ios::binary).rdbuf();
+    return all.str();
+  };
+  const std::string text = simulated(folder.write("forces.csv", forces), "text.csv");
+  const std::string make =
+      "import h5py, numpy\n"
+      "t = numpy.genfromtxt('" +
+      folder.path("forces.csv") +
+      "', delimiter=',', names=True)\n"
+      "with h5py.File('" +
+      folder.path("forces.h5") +
+      "', 'w') as f:\n"
+      "    d = f.create_dataset('signals/forces', data=numpy.column_stack([t[n] for n in "
+      "t.dtype.names]))\n"
+      "    d.attrs['columns'] = list(t.dtype.names)\n";
+  ASSERT_EQ(std::system(("/usr/bin/python3 " + folder.write("make.py", make)).c_str()), 0)
+      << "install what is missing: scripts/setup --test";
+  EXPECT_EQ(simulated(folder.path("forces.h5"), "of_hdf5.csv"), text);
+  EXPECT_EQ(simulated(folder.path("forces.h5") + ":/signals/forces", "of_a_place.csv"), text);
+  const std::string columns = simulated(folder.path("forces.h5"), "a.h5");
+  EXPECT_EQ(simulated(folder.path("forces.csv"), "b.h5"), columns);
+  const auto refused = run(folder, "simulate --scene " + given + " --forces " +
+                                       folder.path("a.h5") + " --out " + folder.path("c.h5"));
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("a.h5: thumb_fx_N: the column is missing"), std::string::npos)
+      << refused.err;
+  EXPECT_FALSE(std::filesystem::exists(folder.path("c.h5")));
+}
+
 struct Bad {
   std::string scene;
   std::string forces;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/csv.hpp"
 #include "device/sensors/frame_clock.hpp"
 #include "hand/finger_forces.hpp"
 #include "tests/support/temporary_folder.hpp"

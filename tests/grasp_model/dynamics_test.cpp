@@ -3,6 +3,7 @@
 // (tests/data/dynamics).
 #include <cmath>
 
+#include "core/csv.hpp"
 #include "hand/finger_forces.hpp"
 #include "tests/grasp_model/support.hpp"
 #include "tests/support/within.hpp"

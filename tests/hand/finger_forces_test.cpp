@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include "core/csv.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace isograsp::finger_forces_test {
@@ -49,11 +50,13 @@ TEST(FingerForces, RefusesHalfEmptySamplesAbsentFingersAndMisspeltColumns) {
   EXPECT_NE(misspelt.error().message().find("thumb_tz_Nmm: unknown column"), std::string::npos);
 }
 
-TEST(FingerForces, ForcesInTheAxesOfTheHandMayStandBesideAndAreNotRead) {
+TEST(FingerForces, WhatElseATrialHasOfAFingerMayStandBesideAndIsNotRead) {
   const TemporaryFolder folder;
-  auto reader = FingerForcesReader::open(folder.write(
-      "a.csv",
-      "t_s,thumb_flexion_N,thumb_fx_N,thumb_distal_N,thumb_fy_N,thumb_fz_N\n0,9,1,9,2,3\n"));
+  auto reader =
+      FingerForcesReader::open(folder.write("a.csv",
+                                            "t_s,thumb_flexion_N,thumb_fx_N,thumb_distal_N,thumb_"
+                                            "fy_N,thumb_fz_N,thumb_flags,thumb_fx_counts\n"
+                                            "0,9,1,9,2,3,9,9\n"));
   ASSERT_TRUE(reader) << reader.error().message();
   FingerForcesRow row;
   ASSERT_TRUE(*reader->next(row));

@@ -7,28 +7,25 @@
 #include <string>
 #include <vector>
 
-#include "core/csv.hpp"
+#include "app/simulation/table_files.hpp"
 #include "grasp_model/plan.hpp"
 
 namespace isograsp::app {
 
-/// Prints rows straight into one block, which goes to the file when it is full.
 class TrajectoryWriter {
  public:
   /// `contacts`: names of the last columns.
-  TrajectoryWriter(FileWriter file, std::span<const std::string> contacts);
-
+  [[nodiscard]] static Result<TrajectoryWriter> create(const std::string& path,
+                                                       std::span<const std::string> contacts);
   /// @pre touching.size() == contacts.size()
   void add(double t_s, const ObjectState& state, const Wrench& F_O_W,
            std::span<const bool> touching);
-  [[nodiscard]] Result<void> commit();
+  [[nodiscard]] Result<void> commit() { return rows_.commit(); }
 
  private:
-  void flush();
+  explicit TrajectoryWriter(NumberRows rows) : rows_(std::move(rows)) {}
 
-  FileWriter file_;
-  std::vector<char> block_ = std::vector<char>(std::size_t{1} << 16);
-  std::size_t used_ = 0;
+  NumberRows rows_;
 };
 
 /// What became of the holds, for the notes at the end.

@@ -8,8 +8,9 @@
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "app/hands_simulation.hpp"
-#include "app/trajectory.hpp"
+#include "app/simulation/trajectory.hpp"
 #include "bimanual/read_hands.hpp"
+#include "core/files.hpp"
 #include "grasp_model/plan.hpp"
 #include "grasp_model/scene.hpp"
 #include "hand/finger_forces.hpp"
@@ -47,22 +48,23 @@ Result<void> simulate(const SimulateOptions& options) {
   auto scene = parse_scene(*text, options.scene);
   if (!scene) return scene.error();
   // A first pass over the times alone: the length of a hold depends on all of them.
-  const auto grid = read_time_grid(options.forces);
+  const auto grid = read_time_grid([&] { return open_table(options.forces); });
   if (!grid) return grid.error();
   const auto plan =
       Plan::compile(for_hand(std::move(*scene), hand_from_name(options.hand).value_or(Hand::right)),
                     grid->hold_s);
   if (!plan) return plan.error();
   const auto used = plan->scene().fingers_used();
-  auto forces = FingerForcesReader::open(options.forces, used);
+  auto table = open_table(options.forces);
+  if (!table) return table.error();
+  auto forces = FingerForcesReader::open(*std::move(table), used);
   if (!forces) return forces.error();
-  auto out = FileWriter::create(options.out);
-  if (!out) return out.error();
 
   std::vector<std::string> contacts;
   for (const std::string_view finger : kFingerNames)
     contacts.push_back(std::string(finger) + "_contact");
-  TrajectoryWriter trajectory(std::move(*out), contacts);
+  auto trajectory = TrajectoryWriter::create(options.out, contacts);
+  if (!trajectory) return trajectory.error();
   ObjectState state = plan->initial_state();
   GraspWrench wrench;
   StaleRule stale;
@@ -88,12 +90,12 @@ Result<void> simulate(const SimulateOptions& options) {
     if (more && !grid->regular) hold_s = next.t_s - row.t_s;
     frozen = stale.apply(row.wrench_C, row.present, used, hold_s) == StaleRule::Verdict::frozen;
     if (!frozen) wrench = plan->grasp(row.wrench_C, state);
-    trajectory.add(row.t_s, state, wrench.F_O_W, wrench.contact);
+    trajectory->add(row.t_s, state, wrench.F_O_W, wrench.contact);
     move(hold_s);
-    if (!more) trajectory.add(row.t_s + hold_s, state, wrench.F_O_W, wrench.contact);
+    if (!more) trajectory->add(row.t_s + hold_s, state, wrench.F_O_W, wrench.contact);
     row = next;
   }
-  if (const auto done = trajectory.commit(); !done) return done.error();
+  if (const auto done = trajectory->commit(); !done) return done.error();
   count.print_notes();
   return {};
 }
@@ -105,13 +107,15 @@ void add_simulate(CommandLine& line) {
   const auto options = std::make_shared<SimulateOptions>();
   command.option("--scene", options->scene, "Scene (TOML)").required();
   OptionGroup motion = command.exactly_one("What moves");
-  motion.option("--forces", options->forces, "Forces of fingers, or pushes of two hands (CSV)");
+  motion.option("--forces", options->forces,
+                "Forces of fingers, or pushes of two hands (CSV, HDF5)");
   motion.option("--proxies", options->proxies,
-                "Of a scene with pads: where what leads them is (CSV)");
+                "Of a scene with pads: where what leads them is (CSV, HDF5)");
   command.option("--pad-solver", options->pad_solver, "Of a scene with pads")
       .one_of({"pointwise", "aggregate", "aggregate_exact"})
       .shows_default();
-  command.option("--out", options->out, "Trajectory to write (CSV)").required();
+  command.option("--out", options->out, "Trajectory to write (CSV; HDF5 if its name ends in .h5)")
+      .required();
   command.option("--hand", options->hand, "Which hand presses: right, if nothing is said")
       .one_of({"right", "left"});
   command.footer(

@@ -178,7 +178,7 @@ void FileWriter::write(std::string_view text) {
 }
 
 std::string FileWriter::name_for_library() const {
-  return "/proc/self/fd/" + std::to_string(out_.number());
+  return temporary_.empty() ? "" : "/proc/self/fd/" + std::to_string(out_.number());
 }
 
 void FileWriter::flush() noexcept {

@@ -57,7 +57,7 @@ class FileWriter {
 
   void write(std::string_view text);
   /// A name under which a library that opens its files by name opens this one (and must not lock
-  /// it); until commit(). @pre nothing was given to write()
+  /// it); until commit(). Empty: it is a device or a pipe. @pre nothing was given to write()
   [[nodiscard]] std::string name_for_library() const;
   /// Flushes and renames; fails if anything could not be written (full disk).
   [[nodiscard]] Result<void> commit();

@@ -98,6 +98,8 @@ Result<std::unique_ptr<TableWriter>> create_hdf5_table(const std::string& path,
                                                        std::span<const std::string> columns) {
   auto writer = FileWriter::create(path);
   if (!writer) return writer.error();
+  // The library (1.10) loses memory where a file cannot be written, and needs one to go back in.
+  if (writer->name_for_library().empty()) return cannot_open(path, Purpose::writing);
   tell_errors_by_exceptions();
   try {
     return std::unique_ptr<TableWriter>(

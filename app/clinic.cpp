@@ -12,6 +12,7 @@
 
 #include "app/console.hpp"
 #include "app/paths.hpp"
+#include "core/staging_folder.hpp"
 #include "storage/access/open_store.hpp"
 #include "storage/care/merge.hpp"
 #include "storage/records/session_store.hpp"
@@ -22,20 +23,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Temporary files from which a clinic is made. They are removed in the end, whether it was made or
-/// not.
+/// Temporary files from which a clinic is made: what a killed program left of them is not gone on
+/// with, and two programs never make one clinic.
 class Parts {
  public:
-  Parts(const std::string& database, std::size_t groups) : database_(database), groups_(groups) {}
-  ~Parts() {
-    for (std::size_t group = 0; group < groups_; ++group) remove(path(group));
-    remove(whole());
-  }
+  explicit Parts(StagingFolder folder) : folder_(std::move(folder)) {}
   [[nodiscard]] std::string path(std::size_t group) const {
-    return database_ + "." + std::to_string(group + 1) + ".part";
+    return folder_.path() + "/" + std::to_string(group + 1) + ".part";
   }
   /// The clinic itself: it gets its name when it is complete.
-  [[nodiscard]] std::string whole() const { return database_ + ".part"; }
+  [[nodiscard]] const std::string& whole() const { return folder_.file(); }
   static void remove(const std::string& part) {
     for (const char* suffix : {"", "-wal", "-shm", "-lock"}) {
       std::error_code ignored;
@@ -44,8 +41,7 @@ class Parts {
   }
 
  private:
-  std::string database_;
-  std::size_t groups_;
+  StagingFolder folder_;
 };
 
 /// Stores what is known of a person beside the sessions.
@@ -181,7 +177,9 @@ Result<void> make_clinic(const std::string& database, const std::vector<DemoGrou
   std::error_code failure;
   if (fs::exists(database, failure))
     return refused("exists already"_text, "name a new file"_text).at(database);
-  const Parts parts(database, groups.size());
+  auto folder = StagingFolder::beside(database);
+  if (!folder) return folder.error();
+  const Parts parts(*std::move(folder));
   Workers workers(groups, parts, threads);
   if (auto done = put_together(groups.size(), parts, workers); !done) return done;
   fs::rename(parts.whole(), database, failure);

@@ -11,6 +11,7 @@
 #include "core/files.hpp"
 #include "storage/access/open_store.hpp"
 #include "storage/records/session_store.hpp"
+#include "tests/support/background_command.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/variable.hpp"
 
@@ -20,6 +21,28 @@ namespace {
 namespace fs = std::filesystem;
 using test::isograsp;
 using test::TemporaryFolder;
+
+TEST(DemonstrationMade, AfterAProgramThatWasKilledInItIsMadeAnewAndByOneAtATime) {
+  const TemporaryFolder folder;
+  const std::string clinic = folder.path("clinic.db");
+  const std::string parts = folder.path(".clinic.db.making");
+  const std::string make = "demo --clinic " + clinic + " --small --at 2026-03-05T09:30:00Z";
+  const std::string program = ISOGRASP_EXECUTABLE;
+  const test::BackgroundCommand killed("sh -c 'echo $$ >" + folder.path("pid") + "; exec " +
+                                       program + " " + make + "'");
+  ASSERT_TRUE(killed.wait_until([&] { return fs::exists(parts + "/2.part"); })) << killed.err();
+  const auto beside = isograsp(make);
+  EXPECT_EQ(beside.status, 1);
+  EXPECT_NE(beside.err.find("another program"), std::string::npos) << beside.err;
+  ASSERT_EQ(std::system(("kill -9 $(cat " + folder.path("pid") + ")").c_str()), 0);
+  killed.wait_for_end();
+  ASSERT_TRUE(fs::exists(parts));
+  const auto again = isograsp(make);
+  ASSERT_EQ(again.status, 0) << again.err;
+  EXPECT_FALSE(fs::exists(parts));
+  const auto checked = isograsp("db check " + clinic);
+  EXPECT_EQ(checked.status, 0) << checked.err;
+}
 
 /// The clinic that windows open and that `demo --headless` works in, made once.
 class DemonstrationClinic : public testing::Test {

@@ -2,8 +2,10 @@
 #include "session/resume.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 #include "core/time.hpp"
+#include "hand/hand_columns.hpp"
 #include "hand/platform_records.hpp"
 #include "hand/two_hands_columns.hpp"
 #include "session/arm/passive_range.hpp"
@@ -41,6 +43,19 @@ Result<std::vector<storage::SessionRecord>> chain_before(storage::SessionStore& 
   return chain;
 }
 
+/// How many objects a tracked hand began to place in a trial.
+Result<int> placements_in(storage::SessionStore& store, const storage::TrialRecord& trial) {
+  const bool places = std::ranges::any_of(trial.groups, [](const storage::SignalGroup& group) {
+    return std::ranges::find(group.columns, std::string_view(columns::placement)) !=
+           group.columns.end();
+  });
+  if (!places) return 0;
+  const auto signals = store.signals(trial);
+  if (!signals) return signals.error();
+  const auto numbers = signals->column(columns::placement);
+  return numbers.empty() ? 0 : 1 + static_cast<int>(*std::ranges::max_element(numbers));
+}
+
 Result<void> add_trials_of(storage::SessionStore& store, const storage::SessionRecord& earlier,
                            const storage::SessionRecord& session, EarlierWork& work) {
   const auto trials = store.trials(earlier.id);
@@ -50,6 +65,9 @@ Result<void> add_trials_of(storage::SessionStore& store, const storage::SessionR
   for (const storage::TrialRecord& trial : *trials) {
     if (const auto spec = tasks::parse_task(trial.task_text, trial.task_name))
       work.carries.add(*spec);
+    const auto placements = placements_in(store, trial);
+    if (!placements) return placements.error();
+    work.placements += *placements;
     if (trial.status != storage::TrialStatus::completed || !trial.place) continue;
     auto measures = store.measures(trial.id);
     if (!measures) return measures.error();

@@ -38,6 +38,7 @@ struct EarlierWork {
   std::vector<PassiveLimit> passive;          ///< of its screening, of an arm
   std::vector<EarlierTrial> trials;           ///< in the order in which they were made
   CarriesBegun carries;                       ///< of both hands, trials that broke off included
+  int placements = 0;                         ///< that a tracked hand began, likewise
   std::size_t trials_made = 0;                ///< broken ones included: no seed is used twice
 };
 

@@ -330,6 +330,8 @@ Result<void> Session::Opening::take_up_earlier_work() {
                          known.earlier.ceilings_N[hand]);
   if (!known.two_hands.affected) known.two_hands.affected = known.earlier.affected;
   if (parts.two_platforms != nullptr) parts.two_platforms->set_carries(known.earlier.carries);
+  if (auto* hand = dynamic_cast<TrackedHand*>(parts.apparatus.get()))
+    hand->set_placements(known.earlier.placements);
   if (known.arm_screening.passive.empty() && !known.earlier.passive.empty()) {
     known.arm_screening.passive = known.earlier.passive;
     const auto again = stored(known.earlier.passive);

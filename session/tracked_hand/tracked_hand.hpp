@@ -44,6 +44,9 @@ class TrackedHand final : public Apparatus {
   [[nodiscard]] Result<void> know_person(
       const std::optional<storage::PreparationRecord>& other_hand, bool keeps_joints);
 
+  /// Begun in the sessions that are resumed. Before the first trial of this one.
+  void set_placements(int begun) noexcept { placements_begun_ = begun; }
+
   // The other functions of Apparatus are called through a pointer to it.
   [[nodiscard]] const ApparatusInfo& info() const noexcept override { return info_; }
   [[nodiscard]] Result<void> start(Clock& clock) override;
@@ -94,7 +97,7 @@ class TrackedHand final : public Apparatus {
   ApparatusInfo info_;
   std::optional<virtual_hand::HandModel> other_hand_;  ///< its size, for this side
   bool keeps_joints_ = false;
-  int placements_begun_ = 0;  ///< in this session
+  int placements_begun_ = 0;  ///< in this session and those that it resumes
 
   // Once it is started.
   const Clock* clock_ = nullptr;

@@ -26,6 +26,7 @@
 #include "storage/crypto/seal.hpp"
 #include "storage/file/file_stats.hpp"
 #include "storage/records/session_store.hpp"
+#include "tests/support/must.hpp"
 
 namespace isograsp {
 
@@ -33,19 +34,11 @@ namespace {
 
 using storage::OpenMode;
 using storage::RowId;
+using test::must;
 
 constexpr int kRate_Hz = 100;
 constexpr std::size_t kColumns = 15;  // of each of the four groups
 constexpr std::size_t kMeasures = 20;
-
-template <class T>
-T must(Result<T> result) {
-  if (!result) throw std::runtime_error(result.error().message());
-  return std::move(*result);
-}
-void must(const Result<void>& result) {
-  if (!result) throw std::runtime_error(result.error().message());
-}
 
 double clock_ms(clockid_t which) {
   timespec now{};

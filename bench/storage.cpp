@@ -20,24 +20,17 @@
 #include "storage/access/open_store.hpp"
 #include "storage/file/file_stats.hpp"
 #include "storage/records/session_store.hpp"
+#include "tests/support/must.hpp"
 
 namespace isograsp {
 
 namespace {
 
+using test::must;
 constexpr int kSeconds = 300;
 constexpr int kRate_Hz = 100;
 constexpr int kTrials = 4;
 constexpr std::size_t kColumns = 15;  // of each of the four groups
-
-template <class T>
-T must(Result<T> result) {
-  if (!result) throw std::runtime_error(result.error().message());
-  return std::move(*result);
-}
-void must(const Result<void>& result) {
-  if (!result) throw std::runtime_error(result.error().message());
-}
 
 double wall_ms() {
   using namespace std::chrono;

@@ -9,16 +9,13 @@
 #include "core/csv.hpp"
 #include "exports/hdf5_table.hpp"
 #include "hand/finger_forces.hpp"
+#include "tests/support/must.hpp"
 
 namespace isograsp {
 
 namespace {
 
-template <class T>
-T value_of(Result<T> result) {
-  if (!result) throw std::runtime_error(result.error().message());
-  return std::move(*result);
-}
+using test::must;
 
 bool is_hdf5(const std::string& path) {
   return path.ends_with(".h5");
@@ -30,21 +27,17 @@ Result<std::unique_ptr<TableReader>> open_any(const std::string& path) {
 
 std::unique_ptr<TableWriter> create_any(const std::string& path,
                                         const std::vector<std::string>& columns) {
-  return value_of(is_hdf5(path) ? exports::create_hdf5_table(path, columns)
-                                : CsvWriter::create(path, columns));
-}
-
-void finish(TableWriter& table) {
-  if (const auto done = table.commit(); !done) throw std::runtime_error(done.error().message());
+  return must(is_hdf5(path) ? exports::create_hdf5_table(path, columns)
+                            : CsvWriter::create(path, columns));
 }
 
 void make_hour(const std::string& forces, const std::string& out) {
   constexpr int kMinutes = 60;
-  const double step_s = value_of(read_time_grid(forces)).hold_s;
+  const double step_s = must(read_time_grid(forces)).hold_s;
   std::vector<std::vector<double>> rows;
-  const auto given = value_of(open_csv(forces));
+  const auto given = must(open_csv(forces));
   std::vector<double> row(given->columns().size());
-  while (value_of(given->next(row))) rows.push_back(row);
+  while (must(given->next(row))) rows.push_back(row);
   const std::size_t time = *given->find("t_s");
   const auto table = create_any(out, given->columns());
   std::size_t k = 0;
@@ -53,19 +46,19 @@ void make_hour(const std::string& forces, const std::string& out) {
       repeated[time] = step_s * static_cast<double>(k++);
       table->add(repeated);
     }
-  finish(*table);
+  must(table->commit());
 }
 
 void read_and_write(const std::string& forces, const std::string& out) {
-  value_of(read_time_grid([&] { return open_any(forces); }));
-  auto reader = value_of(FingerForcesReader::open(value_of(open_any(forces))));
+  static_cast<void>(must(read_time_grid([&] { return open_any(forces); })));
+  auto reader = must(FingerForcesReader::open(must(open_any(forces))));
   constexpr std::size_t kColumns = 23;
   std::vector<std::string> names;
   for (std::size_t c = 0; c < kColumns; ++c) names.push_back("c" + std::to_string(c));
   const auto table = create_any(out, names);
   std::array<double, kColumns> numbers{};
   FingerForcesRow row;
-  while (value_of(reader.next(row))) {
+  while (must(reader.next(row))) {
     numbers[0] = row.t_s;
     for (std::size_t c = 1; c < kColumns - kFingerCount; ++c)
       numbers[c] = row.wrench_C[c % kFingerCount].force[static_cast<Eigen::Index>(c / 3 % 3)] /
@@ -74,7 +67,7 @@ void read_and_write(const std::string& forces, const std::string& out) {
       numbers[kColumns - kFingerCount + f] = row.wrench_C[f].force.z() > 0.0 ? 1.0 : 0.0;
     table->add(numbers);
   }
-  finish(*table);
+  must(table->commit());
 }
 
 }  // namespace

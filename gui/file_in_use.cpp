@@ -54,7 +54,7 @@ FileInUse::FileInUse(const std::string& database, const std::string& holder, QWi
       Choice::another);
   add(tr("L&eave"), "file_leave", tr("Open nothing (Alt+E, Escape)"), Choice::leave);
   look->setDefault(true);
-  mark_next(*look, true);
+  mark_main(*look, true);
   column->addLayout(row);
 }
 

@@ -15,6 +15,7 @@
 #include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "gui/library_pages/library_page.hpp"
 #include "gui/look/look.hpp"
@@ -25,8 +26,10 @@
 #include "gui/record_pages/patient_page.hpp"
 #include "gui/record_pages/profile_panel.hpp"
 #include "gui/session_pages/device_page.hpp"
+#include "gui/session_pages/next_bar.hpp"
 #include "gui/session_pages/session_page.hpp"
 #include "gui/session_pages/start_page.hpp"
+#include "gui/session_pages/step_section.hpp"
 #include "gui/words/texts.hpp"
 
 namespace isograsp::gui {
@@ -46,6 +49,9 @@ TherapistWindow::TherapistWindow(Clinic& clinic, PersonFile& file, SessionPresen
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(make_header());
+  bar_ = new NextBar(presenter_);
+  connect(bar_, &NextBar::chooses, this, [this](QWidget* place) { choose_at(*place); });
+  column->addWidget(bar_);
   auto* body = new QHBoxLayout;
   body->setSpacing(0);
   body->addWidget(make_navigation());
@@ -90,6 +96,11 @@ void TherapistWindow::watch() {
   const auto stay = [this] { closing_ = false; };
   connect(&presenter_.flow(), &SessionFlow::settled, this, [this, close_at_last, stay] {
     if (presenter_.state().connection.lost) stay();
+    if (std::exchange(next_patient_, false) && !presenter_.state().busy() &&
+        !presenter_.state().connection.lost) {
+      presenter_.choices().choose_patient({});
+      show_page(Page::start);
+    }
     close_at_last();
   });
   connect(&clinic_.report(), &ReportWork::written, this, close_at_last);
@@ -99,9 +110,12 @@ void TherapistWindow::watch() {
   connect(&clinic_.research_export(), &ExportWork::cancelled, this, close_at_last);
   connect(&clinic_.research_export(), &ExportWork::failed, this, stay);
   connect(reports_, &ReportsPage::printed, this, close_at_last);
-  connect(reports_, &ReportsPage::sent, &staff_, [this](const QString& code, bool done) {
+  const auto log_print = [this](const QString& code, bool done) {
     staff_.log("print", code.toStdString(), done);
-  });
+  };
+  connect(reports_, &ReportsPage::sent, &staff_, log_print);
+  connect(session_, &SessionPage::sent, &staff_, log_print);
+  connect(session_, &SessionPage::sent, this, close_at_last);
 }
 
 QWidget* TherapistWindow::make_header() {
@@ -109,11 +123,6 @@ QWidget* TherapistWindow::make_header() {
   header->setObjectName("header");
   auto* wordmark = new QLabel(tr("IsoGrasp"));
   wordmark->setObjectName("wordmark");
-  light_ = new StateLight(28);
-  sentence_ = new QLabel;
-  sentence_->setObjectName("sentence");
-  sentence_->setWordWrap(true);
-  sentence_->setToolTip(tr("The state of the session and the sensible next step"));
   simulated_ = new QLabel(tr("SIMULATED"));
   simulated_->setObjectName("simulated");
   simulated_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
@@ -140,35 +149,21 @@ QWidget* TherapistWindow::make_header() {
   message_->setObjectName("message");
   message_->setWordWrap(true);
   message_->hide();
-  arrange_header(*header, wordmark);
-  return header;
-}
-
-void TherapistWindow::arrange_header(QWidget& header, QLabel* wordmark) {
-  auto* state = new QHBoxLayout;  // of the session; with large letters in a line of its own
-  state->setSpacing(12);
-  state->addWidget(light_);
-  state->addWidget(sentence_, 1);
   auto* top = new QHBoxLayout;
   top->setSpacing(12);
   top->addWidget(wordmark);
-  top->addSpacing(10);
-  const bool in_a_row = side_by_side() == QBoxLayout::LeftToRight;
-  if (in_a_row)
-    top->addLayout(state, 1);
-  else
-    top->addStretch(1);
+  top->addStretch(1);
   top->addWidget(device_light_);
   top->addWidget(device_words_);
   top->addWidget(simulated_);
   top->addWidget(patient_screen_);
   top->addWidget(lock_);
-  auto* column = new QVBoxLayout(&header);
-  column->setContentsMargins(16, 10, 16, 10);
+  auto* column = new QVBoxLayout(header);
+  column->setContentsMargins(16, 6, 16, 6);
   column->setSpacing(6);
   column->addLayout(top);
-  if (!in_a_row) column->addLayout(state);
   column->addWidget(message_);
+  return header;
 }
 
 QWidget* TherapistWindow::make_navigation() {
@@ -218,20 +213,22 @@ void TherapistWindow::make_pages() {
   start_ = new StartPage(clinic_, presenter_, staff_);
   add_page(Page::start, tr("Start"), start_);
   add_page(Page::patient, tr("Patient"), make_patient());
-  auto* session = new SessionPage(presenter_, settings_, staff_);
-  add_page(Page::session, tr("Session"), session);
+  session_ = new SessionPage(clinic_, presenter_, settings_, staff_);
+  add_page(Page::session, tr("Session"), session_);
   add_page(Page::device, tr("Device"), new DevicePage(presenter_));
   reports_ = new ReportsPage(clinic_, presenter_);
   add_page(Page::reports, tr("Reports"), reports_);
   add_page(Page::library, tr("Library"), new LibraryPage(clinic_, presenter_));
   add_page(Page::settings, tr("Settings"), new SettingsPage(settings_, staff_));
   connect(start_, &StartPage::begin_session, this, [this] { show_page(Page::session); });
+  connect(start_, &StartPage::renewed, this, [this] { bar_->refresh(); });
   connect(start_, &StartPage::open_patient, this, [this] { show_page(Page::patient); });
   connect(start_, &StartPage::demonstration_wanted, this, [this] {
     if (open_demonstration) open_demonstration();
   });
-  connect(session, &SessionPage::other_patient, this, [this] { show_page(Page::start); });
-  connect(session, &SessionPage::report_wanted, this, &TherapistWindow::write_report);
+  connect(session_, &SessionPage::other_patient, this, [this] { show_page(Page::start); });
+  connect(session_, &SessionPage::report_wanted, this, &TherapistWindow::write_report);
+  connect(session_, &SessionPage::end_wanted, this, &TherapistWindow::end_session);
 }
 
 QWidget* TherapistWindow::make_patient() {
@@ -271,6 +268,21 @@ void TherapistWindow::show_page(Page page) {
   for (std::size_t i = 0; i < tabs_.size(); ++i)
     tabs_[i]->setChecked(i == static_cast<std::size_t>(page));
   show_patient();
+  follow_page();
+}
+
+/// What is next on the start page comes first while it is looked at and has anything.
+void TherapistWindow::follow_page() {
+  const bool begins = page() == Page::start && marked_next(*start_) != nullptr;
+  bar_->follow(begins ? static_cast<QWidget&>(*start_) : *session_);
+}
+
+/// Leads to something that has to be chosen.
+void TherapistWindow::choose_at(QWidget& place) {
+  show_page(start_->isAncestorOf(&place) ? Page::start : Page::session);
+  for (QWidget* part = place.parentWidget(); part != nullptr; part = part->parentWidget())
+    if (auto* section = qobject_cast<StepSection*>(part)) section->open(true);
+  place.setFocus();
 }
 
 TherapistWindow::Page TherapistWindow::page() const {
@@ -280,10 +292,11 @@ TherapistWindow::Page TherapistWindow::page() const {
 void TherapistWindow::add_shortcuts() {
   const auto add = [this](const QKeySequence& key, auto act) {
     keys_.push_back(new QShortcut(key, this));
+    keys_.back()->setAutoRepeat(false);  // a key that is held presses once
     connect(keys_.back(), &QShortcut::activated, this, act);
   };
   add(Qt::Key_F7, [this] { presenter_.tasks().show_how(); });
-  add(Qt::Key_F8, [this] { presenter_.trials().start(); });
+  add(Qt::Key_F8, [this] { bar_->press(); });
   add(Qt::Key_F9, [this] { presenter_.trials().start_pause_resume(); });
   add(Qt::Key_F10, [this] {
     presenter_.trials().stop();
@@ -311,29 +324,36 @@ void TherapistWindow::add_shortcuts() {
   add(QKeySequence::Quit, [this] { close(); });
 }
 
+/// Whoever comes next finds the start page, and nobody chosen.
+void TherapistWindow::end_session() {
+  next_patient_ = true;
+  presenter_.connecting().disconnect_device();
+}
+
 void TherapistWindow::write_report() {
   show_page(Page::reports);
   findChild<QTabWidget*>("report_tabs")->setCurrentIndex(0);
   findChild<QPushButton*>("report")->click();
 }
 
-/// A button that has the focus is pressed by Enter as well as by the space bar.
+/// A button that has the focus is pressed by Enter as well as by the space bar; where nothing has
+/// it that could be pressed, chosen or typed into, Enter does what is next.
 void TherapistWindow::keyPressEvent(QKeyEvent* event) {
-  const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-  auto* button = qobject_cast<QAbstractButton*>(focusWidget());
-  const bool pressed = enter && !event->isAutoRepeat() &&
-                       (event->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier &&
-                       (qobject_cast<QPushButton*>(button) != nullptr ||
-                        qobject_cast<QToolButton*>(button) != nullptr);
-  if (!pressed) return QMainWindow::keyPressEvent(event);
-  button->click();
+  const bool enter = (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) &&
+                     (event->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
+  if (!enter || event->isAutoRepeat() || staff_.closed()) return QMainWindow::keyPressEvent(event);
+  QWidget* focus = focusWidget();
+  if (qobject_cast<QPushButton*>(focus) != nullptr || qobject_cast<QToolButton*>(focus) != nullptr)
+    return static_cast<QAbstractButton*>(focus)->click();
+  if (focus == nullptr || focus->focusPolicy() == Qt::NoFocus || !focus->isVisible())
+    return bar_->press();
+  QMainWindow::keyPressEvent(event);
 }
 
 void TherapistWindow::refresh() {
   const auto& view = presenter_.flow().view();
   identity_->show_patient(presenter_.state().choices.patient);  // never that of the one before
-  light_->show_mood(view.mood);
-  sentence_->setText(QString::fromStdString(view.sentence));
+  follow_page();
   simulated_->setVisible(presenter_.state().simulated() || presenter_.state().recorded());
   simulated_->setText(presenter_.state().recorded() ? tr("RECORDED") : tr("SIMULATED"));
   device_light_->show_mood(view.device_mood);
@@ -385,8 +405,12 @@ void TherapistWindow::demonstration_failed(const QString& why) {
   say(why);
 }
 
+bool TherapistWindow::printing() const {
+  return reports_->printing() || session_->printing();
+}
+
 bool TherapistWindow::may_be_replaced() const {
-  return !closing_ && !reports_->printing() && !start_->making_demonstration();
+  return !closing_ && !printing() && !start_->making_demonstration();
 }
 
 void TherapistWindow::leave() {
@@ -396,7 +420,7 @@ void TherapistWindow::leave() {
 void TherapistWindow::closeEvent(QCloseEvent* event) {
   person_->store_now();
   presenter_.connecting().cancel();  // nothing has begun that could be lost
-  if (!presenter_.state().busy() && !clinic_.writing() && !reports_->printing()) {
+  if (!presenter_.state().busy() && !clinic_.writing() && !printing()) {
     event->accept();
     if (on_closed) on_closed();
     return;

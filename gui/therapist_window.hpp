@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The therapist's window: the state in one sentence and the device's light above everything, the
-// pages beside their list.
+// The therapist's window: the device's light and the bar with the one next thing above everything,
+// the pages beside their list.
 #pragma once
 
 #include <QLabel>
@@ -23,9 +23,11 @@ namespace isograsp::gui {
 class IdentityCard;
 class LibraryPage;
 class LoginPage;
+class NextBar;
 class PatientPage;
 class ProfilePanel;
 class ReportsPage;
+class SessionPage;
 class StartPage;
 
 class TherapistWindow final : public QMainWindow {
@@ -60,7 +62,8 @@ class TherapistWindow final : public QMainWindow {
 
  private:
   QWidget* make_header();
-  void arrange_header(QWidget& header, QLabel* wordmark);
+  void choose_at(QWidget& place);
+  void follow_page();
   void watch();
   QWidget* make_navigation();
   void make_pages();
@@ -70,6 +73,8 @@ class TherapistWindow final : public QMainWindow {
   void show_patient();
   void add_shortcuts();
   void write_report();
+  void end_session();
+  [[nodiscard]] bool printing() const;
   void refresh();
   void show_who_is_in();
 
@@ -78,8 +83,7 @@ class TherapistWindow final : public QMainWindow {
   SessionPresenter& presenter_;
   SettingsFile& settings_;
   Staff& staff_;
-  StateLight* light_;
-  QLabel* sentence_;
+  NextBar* bar_;
   StateLight* device_light_;
   QLabel* device_words_;
   QLabel* simulated_;
@@ -90,6 +94,8 @@ class TherapistWindow final : public QMainWindow {
   QWidget* navigation_;
   QStackedWidget* pages_;
   StartPage* start_;
+  SessionPage* session_;
+  bool next_patient_ = false;  ///< comes when the session has ended
   PatientPage* course_;
   ProfilePanel* person_;
   IdentityCard* identity_;

@@ -150,7 +150,7 @@ void ArmScreeningForm::refresh() {
   const auto& view = presenter_.flow().view();
   setEnabled(view.may_change_hand);
   const bool next = view.press == NextPress::screening;
-  mark_next(*nothing_, next && answers == ArmScreening{});
+  mark_choice(*nothing_, next && answers == ArmScreening{});
   for (const ArmQuestion question : kArmQuestions) {
     auto* box = questions_[static_cast<std::size_t>(question)];
     const QSignalBlocker quiet(box);
@@ -177,7 +177,7 @@ void ArmScreeningForm::refresh() {
     const bool possible = range == tasks::Effort::none || answers.offered();
     button->setEnabled(answers.pain.has_value() && answers.ranges_hold() && possible);
     button->setChecked(answers.allowed == range);
-    mark_next(*button, next && proposal == range && !answers.allowed);
+    mark_choice(*button, next && proposal == range && !answers.allowed);
   }
   advice_->setText(advice(answers));
   advice_->setVisible(!advice_->text().isEmpty());

@@ -84,12 +84,13 @@ void Clinic::add_patient() {
 
 void Clinic::load_history(const std::string& code) {
   if (!open_) return;
-  ++loads_under_way_;
   if (code != history_of_) {
     history_of_ = code;
     history_.clear();
     Q_EMIT history_changed();
   }
+  if (code.empty()) return;
+  ++loads_under_way_;
   using Loaded = Result<std::vector<HistorySeries>>;
   worker_.run([store = store_, code]() -> Loaded { return read_history(**store, code); },
               [this, code](Loaded outcome) {

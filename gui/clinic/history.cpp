@@ -64,4 +64,20 @@ std::vector<HistorySeries> sort_history(const std::vector<storage::MeasurePoint>
   return series;
 }
 
+const storage::MeasurePoint* last_time(const std::vector<HistorySeries>& history,
+                                       const TrialLike& like, const Measure& measure) {
+  const TaskKey task{like.task_name, like.task_version, like.hand, like.simulated};
+  const SeriesKey wanted{task, measure.name, measure.channel, measure.version};
+  for (const auto& series : history) {
+    if (series_of(series.points.front()) != wanted) continue;
+    const auto earlier = std::find_if(
+        series.points.rbegin(), series.points.rend(), [&](const storage::MeasurePoint& point) {
+          return point.session_id < like.session_id && !point.practice && !point.helped &&
+                 point.measure.value.has_value();
+        });
+    return earlier == series.points.rend() ? nullptr : &*earlier;
+  }
+  return nullptr;
+}
+
 }  // namespace isograsp::gui

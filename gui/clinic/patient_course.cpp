@@ -44,11 +44,14 @@ bool is_assessment(const storage::TrialRecord& trial) noexcept {
 
 const Measure* key_measure(const CourseTrial& trial) {
   const auto spec = tasks::parse_task(trial.record.task_text, trial.record.task_name);
-  if (!spec) return nullptr;
+  return spec ? key_measure(*spec, trial.measures) : nullptr;
+}
+
+const Measure* key_measure(const tasks::TaskSpec& task, const std::vector<Measure>& measures) {
   const Measure* best = nullptr;
   tasks::Place best_place;
-  for (const auto& measure : trial.measures) {
-    const auto place = tasks::place_of(*spec, measure.name, measure.channel);
+  for (const auto& measure : measures) {
+    const auto place = tasks::place_of(task, measure.name, measure.channel);
     if (place.prominence == tasks::Prominence::none) continue;
     const bool better = best == nullptr || place.prominence > best_place.prominence ||
                         (place.prominence == best_place.prominence && place.rank < best_place.rank);

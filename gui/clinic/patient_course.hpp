@@ -8,6 +8,7 @@
 
 #include "core/result.hpp"
 #include "storage/records/session_store.hpp"
+#include "tasks/task_spec.hpp"
 
 namespace isograsp::gui {
 
@@ -38,6 +39,8 @@ struct PatientCourse {
 
 /// The measure by which the trial is known at a glance; null: none.
 [[nodiscard]] const Measure* key_measure(const CourseTrial& trial);
+[[nodiscard]] const Measure* key_measure(const tasks::TaskSpec& task,
+                                         const std::vector<Measure>& measures);
 
 /// "SIMULATED", "RECORDED"; empty: measured by a device.
 [[nodiscard]] QString source_mark(const storage::SessionRecord& session);

@@ -121,6 +121,7 @@ LivePanel::LivePanel(SessionPresenter& presenter, const SettingsFile& settings, 
   health_->setObjectName("health");
   health_->setProperty("role", "quiet");
   health_->setWordWrap(true);
+  health_->hide();
   all_ = new QPushButton(tr("All channels"));
   all_->setObjectName("all_channels");
   all_->setCheckable(true);
@@ -180,6 +181,8 @@ void LivePanel::refresh() {
   const auto beside = arrive ? compensation_words(presenter_.state().compensation()) : QString();
   compensation_->setText(beside);
   compensation_->setVisible(!beside.isEmpty());
+  health_->setVisible(all_->isChecked() || !arrive ||
+                      presenter_.flow().view().device_mood == Mood::attention);
   health_->setText(health_line(now, presenter_.state().traces().worst_lateness_s));
   health_->setToolTip(
       tr("Health of the stream: gaps are bridged for at most 50 ms, then the trial waits.\n") +

@@ -75,7 +75,7 @@ void PlatformsForm::refresh() {
       if (!chosen.isEmpty() && list.item(k)->data(Qt::UserRole).toString() == chosen) row = k;
     if (list.currentRow() != row) list.setCurrentRow(row);
     list.setEnabled(view.may_change_device);
-    mark_next(list, view.press == NextPress::device && chosen.isEmpty());
+    mark_choice(list, view.press == NextPress::device && chosen.isEmpty());
   }
 }
 

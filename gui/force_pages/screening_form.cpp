@@ -151,7 +151,7 @@ void ScreeningForm::refresh() {
   setEnabled(view.may_change_hand);
   const bool next = view.press == NextPress::screening;
   const bool untouched = answers == Screening{};
-  mark_next(*nothing_, next && untouched);
+  mark_choice(*nothing_, next && untouched);
   for (const Caution caution : kCautions) {
     auto* box = cautions_[static_cast<std::size_t>(caution)];
     const QSignalBlocker quiet(box);
@@ -163,7 +163,7 @@ void ScreeningForm::refresh() {
     auto* button = efforts_[static_cast<std::size_t>(effort)];
     button->setEnabled(answers.pain.has_value());
     button->setChecked(answers.allowed == effort);
-    mark_next(*button, next && proposal == effort && !answers.allowed);
+    mark_choice(*button, next && proposal == effort && !answers.allowed);
   }
   {
     const QSignalBlocker quiet(limited_);

@@ -161,7 +161,7 @@ void BasisDialog::refresh() {
   describe(*record_, tr("Record"),
            whole ? tr("Adds this entry under your name; it is not changed any more (Enter)")
                  : tr("Choose purpose, basis and answer first"));
-  mark_next(*record_, whole);
+  mark_main(*record_, whole);
 }
 
 }  // namespace isograsp::gui

@@ -101,7 +101,7 @@ void HandScreeningForm::refresh() {
   const bool next = view.press == NextPress::screening;
   HandScreening untouched;
   untouched.forearm_supported = answers.forearm_supported;
-  mark_next(*nothing_, next && answers == untouched);
+  mark_choice(*nothing_, next && answers == untouched);
   for (const HandQuestion question : kHandQuestions) {
     auto* box = questions_[static_cast<std::size_t>(question)];
     const QSignalBlocker quiet(box);
@@ -117,7 +117,7 @@ void HandScreeningForm::refresh() {
     const bool moves = button == moves_;
     button->setEnabled(answers.pain.has_value());
     button->setChecked(answers.may_move == moves);
-    mark_next(*button, next && proposal == moves && !answers.may_move);
+    mark_choice(*button, next && proposal == moves && !answers.may_move);
   }
   advice_->setText(advice(answers));
   advice_->setVisible(!advice_->text().isEmpty());

@@ -21,11 +21,14 @@ namespace {
 const char* const kStyleSheet = R"(
 QMainWindow, QWidget#page { background: %BACKGROUND%; }
 QFrame[card="true"] { background: %CARD%; border: 1px solid %RULE%; border-radius: 8px; }
-QFrame#header { background: %CARD%; border: none; border-bottom: 1px solid %RULE%; }
+QFrame#header { background: %CARD%; border: none; }
+QFrame#next_bar { background: %CARD%; border: none; border-top: 1px solid %GRID%;
+  border-bottom: 1px solid %RULE%; }
 QLabel { background: transparent; color: %TEXT%; }
 QLabel[role="title"] { font-weight: bold; color: %TEXT%; }
 QLabel[role="quiet"] { color: %QUIET%; }
 QLabel[role="large"] { font-size: %LARGE%pt; }
+QLabel[role="number"] { font-size: %NUMBER%pt; font-weight: bold; color: %ACCENT%; }
 QLabel[role="problem"] { color: %FAULT%; }
 QLabel#wordmark { font-weight: bold; font-size: %TITLE%pt; color: %ACCENT%; }
 QLabel#sentence { font-size: %LARGE%pt; }
@@ -72,10 +75,15 @@ QPushButton:pressed { background: %CHOSEN%; }
 QPushButton:checked { background: %CHOSEN%; border: 2px solid %ACCENT%; font-weight: bold; }
 QPushButton:focus { border: 2px solid %ACCENT%; }
 QPushButton:disabled { color: #7B8794; background: %BACKGROUND%; border-color: #DDE3EA; }
-QPushButton[next="true"]:enabled { background: %ACCENT%; color: %CARD%; border-color: %ACCENT%;
-  font-weight: bold; }
-QPushButton[next="true"]:enabled:hover { background: #094C90; }
-QPushButton[next="true"]:enabled:focus { border: 2px solid #062F59; }
+QPushButton[next="press"]:enabled, QPushButton[next="choose"]:enabled { color: %ACCENT%;
+  border: 2px solid %ACCENT%; padding: 5px 11px; font-weight: bold; }
+QPushButton#next_thing:enabled, QPushButton[main="yes"]:enabled { background: %ACCENT%;
+  color: %CARD%; border-color: %ACCENT%; font-weight: bold; }
+QPushButton#next_thing { font-size: %LARGE%pt; padding: 6px 20px; }
+QPushButton#next_thing, QPushButton#stop { min-height: %TOUCH%px; }
+QPushButton#next_thing:enabled:hover, QPushButton[main="yes"]:enabled:hover { background: #094C90; }
+QPushButton#next_thing:enabled:focus, QPushButton[main="yes"]:enabled:focus {
+  border: 2px solid #062F59; }
 QPushButton#stop:enabled { color: %FAULT%; border-color: %FAULT%; font-weight: bold; }
 QPushButton#stop:enabled:hover { background: #FCEEED; }
 QLineEdit, QComboBox, QSpinBox, QDoubleSpinBox, QPlainTextEdit { background: %CARD%; border: 1px solid %EDGE%;
@@ -91,7 +99,7 @@ QComboBox QAbstractItemView { background: %CARD%; color: %TEXT%; border: 1px sol
 QListWidget, QTableWidget { background: %CARD%; color: %TEXT%; border: 1px solid %DESK%;
   border-radius: 6px; outline: none; gridline-color: %GRID%; }
 QListWidget:focus, QTableWidget:focus { border: 1px solid %ACCENT%; }
-QListWidget[next="true"] { border: 2px solid %ACCENT%; }
+QListWidget[next="choose"] { border: 2px solid %ACCENT%; }
 QListWidget::item { padding: 2px 8px; border-radius: 4px; }
 QListWidget::item:hover { background: %HOVER%; }
 QListWidget::item:selected { background: %CHOSEN%; color: #0A2E52; font-weight: bold; }
@@ -131,7 +139,10 @@ QString coloured(QString sheet) {
 constexpr double kText_pt = 9.5;
 constexpr double kLarge_pt = 13.0;
 constexpr double kTitle_pt = 15.0;
-constexpr int kLine_px = 18;  // of a button or a field
+constexpr double kNumber_pt = 26.0;
+constexpr int kLine_px = 18;       // of a button or a field
+constexpr int kTouch_px = 44;      // what a finger hits without looking
+constexpr int kBarAround_px = 14;  // of it: padding and border of the bar's buttons
 constexpr int kArrow_px = 22;
 constexpr int kBar_px = 10;
 constexpr int kChoices_px = 264;
@@ -159,6 +170,13 @@ class GrowingSigns final : public QProxyStyle {
     }
   }
 };
+
+void dress_as(QWidget& widget, const char* role, const char* value) {
+  if (widget.property(role).toString() == QLatin1String(value)) return;
+  widget.setProperty(role, value);
+  widget.style()->unpolish(&widget);
+  widget.style()->polish(&widget);
+}
 
 }  // namespace
 
@@ -189,12 +207,15 @@ void dress(QApplication& application, int font_percent) {
   palette.setColor(QPalette::HighlightedText, Qt::white);
   palette.setColor(QPalette::PlaceholderText, look::kQuietText);
   application.setPalette(palette);
-  application.setStyleSheet(coloured(kStyleSheet)
-                                .replace("%LINE%", QString::number(scaled(kLine_px)))
-                                .replace("%ARROW%", QString::number(scaled(kArrow_px)))
-                                .replace("%BAR%", QString::number(scaled(kBar_px)))
-                                .replace("%LARGE%", QString::number(kLarge_pt * larger))
-                                .replace("%TITLE%", QString::number(kTitle_pt * larger)));
+  application.setStyleSheet(
+      coloured(kStyleSheet)
+          .replace("%TOUCH%", QString::number(scaled(kTouch_px) - kBarAround_px))
+          .replace("%LINE%", QString::number(scaled(kLine_px)))
+          .replace("%ARROW%", QString::number(scaled(kArrow_px)))
+          .replace("%BAR%", QString::number(scaled(kBar_px)))
+          .replace("%LARGE%", QString::number(kLarge_pt * larger))
+          .replace("%NUMBER%", QString::number(kNumber_pt * larger))
+          .replace("%TITLE%", QString::number(kTitle_pt * larger)));
 }
 
 int scaled(int usual_px) noexcept {
@@ -220,11 +241,35 @@ void show_part(QWidget& part, bool shown) {
   if (part.parentWidget() != nullptr || !shown) part.setVisible(shown);
 }
 
-void mark_next(QWidget& widget, bool next) {
-  if (widget.property("next").toBool() == next) return;
-  widget.setProperty("next", next);
-  widget.style()->unpolish(&widget);
-  widget.style()->polish(&widget);
+void mark_next(QWidget& button, bool next) {
+  dress_as(button, "next", next ? "press" : "");
+}
+
+void mark_choice(QWidget& answer, bool next) {
+  dress_as(answer, "next", next ? "choose" : "");
+}
+
+bool is_choice(const QWidget& marked) {
+  return marked.property("next").toString() == QLatin1String("choose");
+}
+
+void may_fold(QWidget& part) {
+  part.setProperty("folds", true);
+}
+
+QWidget* marked_next(QWidget& page) {
+  const auto can_be_used = [&page](const QWidget& widget) {
+    for (const QWidget* part = &widget; part != &page; part = part->parentWidget())
+      if (part->isHidden() && !part->property("folds").toBool()) return false;
+    return widget.isEnabled();
+  };
+  for (auto* widget : page.findChildren<QWidget*>())
+    if (!widget->property("next").toString().isEmpty() && can_be_used(*widget)) return widget;
+  return nullptr;
+}
+
+void mark_main(QWidget& button, bool main) {
+  dress_as(button, "main", main ? "yes" : "");
 }
 
 void take_rest(QWidget& widget, int least_px) {

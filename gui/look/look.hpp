@@ -64,9 +64,17 @@ void lay_out_choices(QWidget& page, QWidget& choices, QWidget& body);
 /// Shows a part of a page or not, also before it has been put there.
 void show_part(QWidget& part, bool shown);
 
-/// Marks a widget as the sensible next thing to use: a button is filled in the accent colour, a
-/// list framed in it.
-void mark_next(QWidget& widget, bool next);
+/// Marks a button as the sensible next thing to press, or something as one answer of the choice
+/// that is next. Both are framed in the accent colour; the bar above the pages says what is marked.
+void mark_next(QWidget& button, bool next);
+void mark_choice(QWidget& answer, bool next);
+[[nodiscard]] bool is_choice(const QWidget& marked);
+/// What is marked on a page and can be used, the first one; null: nothing is. A part that is only
+/// folded away (may_fold) counts, one that is hidden does not.
+[[nodiscard]] QWidget* marked_next(QWidget& page);
+void may_fold(QWidget& part);
+/// The one button that a page or a dialog without that bar is there for: filled.
+void mark_main(QWidget& button, bool main);
 
 /// Lets a list, table or plot take the height that is left, down to scaled(`least_px`). Its own
 /// wish would count as its least height wherever a text that wraps stands in the same column.

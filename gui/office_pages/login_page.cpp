@@ -59,7 +59,7 @@ QWidget* LoginPage::make_card() {
   enter_->setObjectName("login");
   enter_->setDefault(true);
   describe(*enter_, tr("Log in"), tr("Who logs in stands in the record of every act (Enter)"));
-  mark_next(*enter_, true);
+  mark_main(*enter_, true);
   problem_ = new QLabel;
   problem_->setObjectName("login_problem");
   problem_->setWordWrap(true);

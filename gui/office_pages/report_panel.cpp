@@ -5,8 +5,6 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QHBoxLayout>
-#include <QPrintDialog>
-#include <QPrinter>
 #include <QUrl>
 #include <QVBoxLayout>
 
@@ -35,8 +33,7 @@ ReportPanel::ReportPanel(Clinic& clinic, SessionPresenter& presenter, QWidget* p
     : QWidget(parent), clinic_(clinic), presenter_(presenter) {
   auto* choices = make_choices();
   lay_out_choices(*this, *choices, *make_preview());
-  between_events_.setInterval(0);
-  connect(&between_events_, &QTimer::timeout, this, &ReportPanel::print_next);
+  printing_ = new PrintJob(this);
   connect_report();
   connect(&clinic_, &Clinic::history_changed, this, &ReportPanel::look_again);
   connect(&presenter_.flow(), &SessionFlow::changed, this, &ReportPanel::refresh);
@@ -148,6 +145,15 @@ void ReportPanel::connect_report() {
   });
   connect(&report, &ReportWork::cancelled, this,
           [tell] { tell(tr("Cancelled: no report was written.")); });
+  connect(printing_, &PrintJob::progress, this, [tell](int page, int pages) {
+    tell(tr("Printing page %1 of %2 …").arg(page).arg(pages));
+  });
+  connect(printing_, &PrintJob::ended, this, [this, tell](const QString& code, bool done) {
+    Q_EMIT sent(code, done);
+    Q_EMIT printed();
+    tell(done ? tr("The report was sent to the printer.")
+              : tr("The printer takes nothing: is it connected, has it paper?"));
+  });
   connect(remark_, &QLabel::linkActivated, this,
           [](const QString& link) { QDesktopServices::openUrl(QUrl(link)); });
 }
@@ -252,46 +258,8 @@ void ReportPanel::ask_where() {
 }
 
 void ReportPanel::ask_printer() {
-  if (pages_ == nullptr || printing_ != nullptr || presenter_.flow().view().may_stop) return;
-  printer_ = std::make_unique<QPrinter>(QPrinter::HighResolution);
-  printer_->setPageSize(QPageSize(QPageSize::A4));
-  printer_->setFullPage(true);
-  printer_->setDocName(QString::fromStdString(code_));
-  auto* dialog = new QPrintDialog(printer_.get(), this);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, qOverload<>(&QDialog::accepted), this, [this, pages = pages_] {
-    printed_ = pages;
-    printing_ = std::make_unique<reports::PagePrinter>(*printed_, *printer_);
-    between_events_.start();
-  });
-  dialog->open();
-}
-
-void ReportPanel::print_next() {
-  if (presenter_.flow().view().may_stop) return;  // a trial needs its even picture
-  if (!printing_->paint_next()) {
-    Q_EMIT sent(printer_->docName(), false);
-    end_printing();
-    remark_->setText(tr("The printer takes nothing: is it connected, has it paper?"));
-    return refresh();
-  }
-  remark_->setText(tr("Printing page %1 of %2 …")
-                       .arg(std::min(printing_->page() + 1, printed_->pages()))
-                       .arg(printed_->pages()));
-  if (printing_->complete()) {
-    Q_EMIT sent(printer_->docName(), true);
-    end_printing();
-    remark_->setText(tr("The report was sent to the printer."));
-  }
-  refresh();
-}
-
-void ReportPanel::end_printing() {
-  between_events_.stop();
-  printing_.reset();
-  printer_.reset();
-  printed_.reset();
-  Q_EMIT printed();
+  if (presenter_.flow().view().may_stop) return;
+  printing_->ask(pages_, QString::fromStdString(code_));
 }
 
 void ReportPanel::refresh() {
@@ -300,11 +268,12 @@ void ReportPanel::refresh() {
   const bool waits = presenter_.flow().view().may_stop;
   report.hold(waits);
   view_->hold(waits);
+  printing_->hold(waits);
   const bool chosen = !presenter_.state().choices.patient.empty();
   patient_->setText(chosen ? QString::fromStdString(presenter_.state().choices.patient)
                            : tr("No patient is chosen."));
   report_->setEnabled(chosen && !report.running());
-  print_->setEnabled(pages_ != nullptr && printing_ == nullptr && !waits);
+  print_->setEnabled(pages_ != nullptr && !printing() && !waits);
   format_->setEnabled(chosen);
   format_remark_->setVisible(format_->currentData() == "html");
   writing_->setVisible(report.running());

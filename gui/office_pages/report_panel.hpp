@@ -13,11 +13,10 @@
 #include "gui/clinic/clinic.hpp"
 #include "gui/look/card.hpp"
 #include "gui/look/page_view.hpp"
+#include "gui/look/print_job.hpp"
 #include "gui/look/work_progress.hpp"
 #include "gui/office_pages/session_span.hpp"
 #include "gui/presenter/session_presenter.hpp"
-
-class QPrinter;
 
 namespace isograsp::gui {
 
@@ -28,7 +27,7 @@ class ReportPanel final : public QWidget {
   ReportPanel(Clinic& clinic, SessionPresenter& presenter, QWidget* parent = nullptr);
   ~ReportPanel() override;
 
-  [[nodiscard]] bool printing() const noexcept { return printing_ != nullptr; }
+  [[nodiscard]] bool printing() const noexcept { return printing_->running(); }
   void forget();  ///< what is shown; it is read again when it is shown again
 
  protected:
@@ -48,8 +47,6 @@ class ReportPanel final : public QWidget {
   void show_pages(Result<reports::ReportContent> content);
   void ask_where();
   void ask_printer();
-  void print_next();
-  void end_printing();
   void refresh();
   [[nodiscard]] reports::ReportScope scope() const { return {span_->first(), span_->last()}; }
 
@@ -60,10 +57,7 @@ class ReportPanel final : public QWidget {
   bool reading_ = false;
   std::stop_source reading_stop_;
   std::shared_ptr<const reports::ReportPages> pages_;
-  std::shared_ptr<const reports::ReportPages> printed_;
-  std::unique_ptr<QPrinter> printer_;
-  std::unique_ptr<reports::PagePrinter> printing_;
-  QTimer between_events_;
+  PrintJob* printing_;
   QString at_;  ///< where the report is: "page 3 of 7"
 
   QLabel* patient_;

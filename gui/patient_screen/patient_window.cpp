@@ -296,6 +296,7 @@ void PatientWindow::draw_object(const PatientPicture& picture, const QRect& cont
 }
 
 void PatientWindow::keyPressEvent(QKeyEvent* event) {
+  if (event->isAutoRepeat()) return;  // a key, or a pedal, that is held presses once
   switch (event->key()) {
     case Qt::Key_F11: return toggle_full_screen();
     case Qt::Key_Escape: return showNormal();

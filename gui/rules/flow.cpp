@@ -12,7 +12,8 @@ FlowView judge(const FlowFacts& facts) {
   view.situation = situation_of(facts, view.device);
   view.mood = mood_of(view.situation);
   // The sentence says what the small light shows; it has no check mark or dots.
-  const bool content = view.mood == Mood::ready || view.mood == Mood::busy;
+  const bool content =
+      view.mood == Mood::ready || view.mood == Mood::busy || view.mood == Mood::turn;
   view.device_speaks = (view.device == DeviceCondition::degraded && view.mood != Mood::fault) ||
                        (view.device_mood == Mood::attention && content);
   if (view.device_speaks) view.mood = Mood::attention;

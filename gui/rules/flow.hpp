@@ -27,7 +27,14 @@ enum class StepState : std::uint8_t {
 };
 
 /// How a state light looks: each mood has its own shape and word, colour is only an addition.
-enum class Mood : std::uint8_t { off, busy, ready, attention, fault };
+enum class Mood : std::uint8_t {
+  off,
+  busy,
+  ready,
+  turn,  ///< nothing is wrong: the therapist is to do something
+  attention,
+  fault
+};
 [[nodiscard]] std::string word_for(Mood mood);
 
 enum class Connection : std::uint8_t { none, opening, open, closing };
@@ -228,7 +235,7 @@ enum class NextPress : std::uint8_t {
   picture,
   start,
   resume,
-  report
+  end  ///< the session, and who comes next
 };
 
 struct FlowView {
@@ -274,7 +281,9 @@ struct FlowView {
   bool may_resume = false;
   bool may_let_go = false;  ///< of the object on the screen, for the hand
   bool may_stop = false;
+  bool steps_fold = false;  ///< the work has begun, and none of what was prepared is to be done now
   bool offers_end = false;  ///< the work is done: report and disconnecting are at hand
+  bool closes = false;      ///< … and what came of it is shown in the place of the curve
   std::string start_hint;   ///< why Start is not possible, or what it starts
   [[nodiscard]] std::optional<Step> next() const;
   bool operator==(const FlowView&) const = default;

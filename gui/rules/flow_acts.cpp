@@ -50,7 +50,8 @@ NextPress press_for(Situation situation, const FlowFacts& facts, const FlowView&
     case Situation::paused:
     case Situation::paused_by_fault:
     case Situation::let_go: return if_possible(view.may_resume, NextPress::resume);
-    case Situation::protocol_over: return if_possible(view.offers_end, NextPress::report);
+    case Situation::stop_work:
+    case Situation::protocol_over: return if_possible(view.offers_end, NextPress::end);
     case Situation::settle:
     case Situation::rest_ready:
     case Situation::pause:
@@ -60,6 +61,7 @@ NextPress press_for(Situation situation, const FlowFacts& facts, const FlowView&
     case Situation::first_maximum:
     case Situation::next_maximum:
     case Situation::choose_task:
+    case Situation::trial_stored:
       return if_possible(view.may_start && !facts.protocol.goes_on, NextPress::start);
     default: return NextPress::none;
   }
@@ -157,7 +159,12 @@ void decide_acts(const FlowFacts& facts, FlowView& view) {
   view.may_resume = open && facts.stage == session::Stage::paused && sound && may_go_on(facts);
   view.may_let_go = view.may_pause && facts.object_there;
   view.may_stop = open && in_trial(facts);
+  view.steps_fold = open && (in_trial(facts) ||
+                             (facts.last_rested && view.next().value_or(Step::work) == Step::work));
   view.offers_end = view.may_disconnect && ends_here(view.situation);
+  view.closes =
+      view.offers_end && facts.last_rested &&
+      (view.situation == Situation::protocol_over || view.situation == Situation::stop_work);
   view.press = press_for(view.situation, facts, view);
 }
 

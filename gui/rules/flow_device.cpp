@@ -78,10 +78,10 @@ Mood mood_of(DeviceCondition condition) {
     case Condition::gone:
     case Condition::faulted:
     case Condition::frozen: return Mood::fault;
+    case Condition::no_zero: return Mood::turn;
     case Condition::outdated:
     case Condition::degraded:
-    case Condition::gap:
-    case Condition::no_zero: return Mood::attention;
+    case Condition::gap: return Mood::attention;
     case Condition::recording_over:
     case Condition::ready: break;
   }

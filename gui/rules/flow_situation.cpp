@@ -152,21 +152,14 @@ Mood mood_of(Situation situation) {
     case Situation::next_maximum:
     case Situation::choose_task:
     case Situation::trial_stored: return Mood::ready;
-    case Situation::look_only:
     case Situation::choose_patient:
-    case Situation::confirm_hand:
     case Situation::choose_hand:
     case Situation::screen:
     case Situation::ask_earlier:
     case Situation::choose_device:
     case Situation::connect:
     case Situation::paused:
-    case Situation::goes_on_by_itself:
-    case Situation::zero_refused:
-    case Situation::zero_outdated:
     case Situation::zero_missing:
-    case Situation::straps_due:
-    case Situation::stop_work:
     case Situation::protocol_zero:
     case Situation::check_platforms:
     case Situation::test_stop:
@@ -174,7 +167,14 @@ Mood mood_of(Situation situation) {
     case Situation::strap_in:
     case Situation::strap_again:
     case Situation::rest_left_out:
-    case Situation::check_picture:
+    case Situation::check_picture: return Mood::turn;
+    case Situation::look_only:
+    case Situation::confirm_hand:
+    case Situation::goes_on_by_itself:
+    case Situation::zero_refused:
+    case Situation::zero_outdated:
+    case Situation::straps_due:
+    case Situation::stop_work:
     case Situation::no_act: break;
   }
   return Mood::attention;

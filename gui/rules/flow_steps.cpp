@@ -53,15 +53,15 @@ std::optional<Step> step_of(Situation situation, const FlowFacts& facts) {
     case Situation::recording_ready:
     case Situation::first_maximum:
     case Situation::next_maximum:
-    case Situation::choose_task: return Step::work;
+    case Situation::choose_task:
+    case Situation::trial_stored: return Step::work;
     case Situation::database_failed:
     case Situation::database_opening:
     case Situation::look_only:
     case Situation::saving:
     case Situation::recording_over:
     case Situation::stop_work:
-    case Situation::protocol_over:
-    case Situation::trial_stored: break;
+    case Situation::protocol_over: break;
   }
   return std::nullopt;
 }

@@ -141,7 +141,11 @@ QString words_in_work(Situation situation, const FlowFacts& facts) {
   const auto act = QString::fromStdString(facts.protocol.act_words);
   switch (situation) {
     case Situation::protocol_over:
-      return FlowTexts::tr("The protocol is finished. Write the report, or disconnect to end.");
+      return facts.last_rested
+                 ? FlowTexts::tr(
+                       "The protocol is finished. Print or write the report, then end the session.")
+                 : FlowTexts::tr(
+                       "The protocol is finished. Write the report, or disconnect to end.");
     case Situation::protocol_zero:
       return FlowTexts::tr("Take the hand out, then set the zero of the empty device once more.");
     case Situation::pause: return FlowTexts::tr("Pause: %1 s to rest.").arg(facts.protocol.wait_s);
@@ -296,7 +300,8 @@ std::string word_for(Mood mood) {
     case Mood::off: return plain(FlowTexts::tr("Off"));
     case Mood::busy: return plain(FlowTexts::tr("Busy"));
     case Mood::ready: return plain(FlowTexts::tr("Ready"));
-    case Mood::attention: return plain(FlowTexts::tr("To do"));
+    case Mood::turn: return plain(FlowTexts::tr("To do"));
+    case Mood::attention: return plain(FlowTexts::tr("Attention"));
     case Mood::fault: return plain(FlowTexts::tr("Fault"));
   }
   return "";

@@ -143,7 +143,7 @@ void ConnectForm::refresh() {
              tr("Begin the session, once the steps above are done (Alt+C)"));
   }
   connect_->setEnabled(view.may_connect || view.may_cancel_connecting || view.may_disconnect);
-  mark_next(*devices_, view.press == NextPress::device);
+  mark_choice(*devices_, view.press == NextPress::device);
   mark_next(*connect_, view.press == NextPress::connect);
   progress_->setVisible(presenter_.state().busy() && !presenter_.state().session_open());
 }
@@ -152,24 +152,9 @@ ZeroForm::ZeroForm(SessionPresenter& presenter, QWidget* parent)
     : QWidget(parent), presenter_(presenter) {
   zero_ = new QPushButton;
   zero_->setObjectName("zero");
-  confirm_ = new QFrame;
-  confirm_->setProperty("confirm", true);
-  question_ = new QLabel;
-  question_->setWordWrap(true);
-  confirmed_ = new QPushButton(tr("Yes, empt&y"));
-  confirmed_->setObjectName("zero_confirmed");
-  describe(*confirmed_, tr("Yes, the device is empty"), tr("Set the zero now (Alt+Y)"));
-  not_yet_ = new QPushButton(tr("&No"));
-  not_yet_->setObjectName("zero_not_yet");
-  describe(*not_yet_, tr("No, not yet"), tr("Keep the present zero (Alt+N)"));
-  auto* answers = new QHBoxLayout;
-  answers->addWidget(confirmed_, 1);
-  answers->addWidget(not_yet_);
-  auto* asking = new QVBoxLayout(confirm_);
-  asking->setContentsMargins(8, 6, 8, 8);
-  asking->addWidget(question_);
-  asking->addLayout(answers);
-  confirm_->hide();
+  empty_ = new QLabel;
+  empty_->setProperty("role", "quiet");
+  empty_->setWordWrap(true);
   changed_ = new QPushButton(tr("Empty; was serviced: ta&ke it"));
   changed_->setObjectName("zero_changed");
   describe(*changed_, tr("The device was serviced or remounted: accept its new zero"),
@@ -181,23 +166,10 @@ ZeroForm::ZeroForm(SessionPresenter& presenter, QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(7);
-  for (QWidget* widget : {static_cast<QWidget*>(zero_), static_cast<QWidget*>(confirm_),
+  for (QWidget* widget : {static_cast<QWidget*>(empty_), static_cast<QWidget*>(zero_),
                           static_cast<QWidget*>(changed_), static_cast<QWidget*>(progress_)})
     column->addWidget(widget);
-  connect(zero_, &QPushButton::clicked, this, [this] {
-    zero_->hide();
-    confirm_->show();
-    confirmed_->setFocus();
-  });
-  const auto put_away = [this] {
-    confirm_->hide();
-    zero_->show();
-  };
-  connect(confirmed_, &QPushButton::clicked, this, [this, put_away] {
-    put_away();
-    presenter_.preparing().set_zero();
-  });
-  connect(not_yet_, &QPushButton::clicked, this, put_away);
+  connect(zero_, &QPushButton::clicked, this, [this] { presenter_.preparing().set_zero(); });
   connect(changed_, &QPushButton::clicked, this, [this] { presenter_.preparing().set_zero(true); });
   connect(&presenter_.flow(), &SessionFlow::changed, this, &ZeroForm::refresh);
   connect(&presenter_.flow(), &SessionFlow::frame, this, &ZeroForm::refresh_progress);
@@ -211,21 +183,16 @@ void ZeroForm::refresh() {
     zero_->setText(tr("Both are empty: set &zeros"));
     describe(*zero_, tr("Set the zeros of both empty platforms"),
              tr("With no hand in either: one quiet second becomes zero, of both at once (Alt+Z)"));
-    question_->setText(tr("No hand in either, nothing touches the supports?"));
+    empty_->setText(tr("No hand in either, nothing touches the supports."));
   } else {
     zero_->setText(tr("Device is empty: set &zero"));
     describe(*zero_, tr("Set the zero of the empty device"),
              tr("With no hand in the device: one quiet second becomes zero (Alt+Z)"));
-    question_->setText(tr("No hand, nothing touches the supports?"));
+    empty_->setText(tr("No hand, nothing touches the supports."));
   }
   zero_->setEnabled(view.may_zero);
   mark_next(*zero_, view.press == NextPress::zero);
-  mark_next(*confirmed_, view.press == NextPress::zero);
   changed_->setVisible(view.may_accept_changed);
-  if (!view.may_zero && confirm_->isVisibleTo(this)) {
-    confirm_->hide();
-    zero_->show();
-  }
 }
 
 void ZeroForm::refresh_progress() {

@@ -34,7 +34,7 @@ class ConnectForm final : public QWidget {
   QProgressBar* progress_;
 };
 
-/// The empty device becomes zero, after a question that must be answered.
+/// The empty device becomes zero: one press that says that it is empty.
 class ZeroForm final : public QWidget {
   Q_OBJECT
 
@@ -47,10 +47,7 @@ class ZeroForm final : public QWidget {
 
   SessionPresenter& presenter_;
   QPushButton* zero_;
-  QFrame* confirm_;
-  QLabel* question_;
-  QPushButton* confirmed_;
-  QPushButton* not_yet_;
+  QLabel* empty_;
   QPushButton* changed_;
   QProgressBar* progress_;
 };

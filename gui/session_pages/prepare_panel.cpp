@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "gui/arm_pages/arm_screening_form.hpp"
+#include "gui/clinic/patient_course.hpp"
 #include "gui/force_pages/both_screening_form.hpp"
 #include "gui/force_pages/crosstalk_form.hpp"
 #include "gui/force_pages/screening_form.hpp"
@@ -66,25 +67,44 @@ PreparePanel::PreparePanel(SessionPresenter& presenter, Staff& staff, QWidget* p
                                                 make_zero(),
                                                 new StrapForm(presenter_),
                                                 new ProtocolForm(presenter_)};
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(5);
+  row_ = new QBoxLayout(QBoxLayout::TopToBottom, this);
+  row_->setContentsMargins(0, 0, 0, 0);
+  row_->setSpacing(5);
   for (std::size_t i = 0; i < kStepCount; ++i) {
     sections_[i] =
         new StepSection(static_cast<int>(i) + 1,
                         words_of(static_cast<Step>(i), presenter_.flow().view()), bodies[i]);
-    column->addWidget(sections_[i]);
+    row_->addWidget(sections_[i]);
+    connect(sections_[i], &StepSection::head_pressed, this, &PreparePanel::head_pressed);
+    connect(sections_[i], &StepSection::opened, this, &PreparePanel::opened);
   }
-  column->addStretch(1);
-  // The steps of the protocol take what is left, while they are shown.
-  const auto share = [this, column] {
-    const bool shown = sections_[static_cast<std::size_t>(Step::work)]->is_open();
-    column->setStretch(static_cast<int>(Step::work), shown ? 1 : 0);
-    column->setStretch(column->count() - 1, shown ? 0 : 1);
-  };
-  connect(sections_[static_cast<std::size_t>(Step::work)], &StepSection::opened, this, share);
+  row_->addStretch(1);
+  connect(this, &PreparePanel::opened, this, &PreparePanel::share_room);
   connect(&presenter_.flow(), &SessionFlow::changed, this, &PreparePanel::refresh);
   refresh();
+}
+
+/// In a column the steps of the protocol take what is left, while they are shown; in a row all have
+/// the same.
+void PreparePanel::share_room() {
+  const auto work = static_cast<std::size_t>(Step::work);
+  const bool shown = sections_[work]->is_open();
+  for (std::size_t i = 0; i < kStepCount; ++i)
+    row_->setStretch(static_cast<int>(i), folded_ || (i == work && shown) ? 1 : 0);
+  row_->setStretch(row_->count() - 1, folded_ || shown ? 0 : 1);
+}
+
+void PreparePanel::fold(bool folded) {
+  if (folded == folded_) return;
+  folded_ = folded;
+  row_->setDirection(folded ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  for (auto* section : sections_) section->fold(folded);
+  share_room();
+}
+
+bool PreparePanel::any_open() const {
+  return std::any_of(sections_.begin(), sections_.end(),
+                     [](const StepSection* section) { return section->is_open(); });
 }
 
 /// The questions before forces, of one hand or of both, about an arm, or about a tracked hand: one
@@ -208,6 +228,20 @@ QString PreparePanel::summary_of(Step step) const {
   return {};
 }
 
+/// A word for each in the row: what was chosen, or which step it is, as its mark says the rest.
+QString PreparePanel::folded_words(Step step, const QString& summary) const {
+  switch (step) {
+    case Step::hand: return hand_words(presenter_.state().choices.today.hand);
+    case Step::patient:
+    case Step::screening: return summary;
+    case Step::device:
+    case Step::zero:
+    case Step::rest: break;
+    case Step::work: return tr("Protocol: %1").arg(summary);
+  }
+  return words_of(step, presenter_.flow().view());
+}
+
 void PreparePanel::refresh() {
   const auto& view = presenter_.flow().view();
   const auto asked = std::count_if(view.steps.begin(), view.steps.end(),
@@ -217,7 +251,9 @@ void PreparePanel::refresh() {
     sections_[i]->set_title(words_of(static_cast<Step>(i), view));
     const bool counts = view.steps[i] != StepState::absent;
     sections_[i]->show_number(counts ? ++number : 0, static_cast<int>(asked));
-    sections_[i]->show_state(view.steps[i], summary_of(static_cast<Step>(i)));
+    const auto step = static_cast<Step>(i);
+    const auto summary = summary_of(step);
+    sections_[i]->show_state(view.steps[i], summary, folded_words(step, summary));
   }
   name_sides();
   const auto hand = presenter_.state().choices.today.hand;
@@ -228,7 +264,7 @@ void PreparePanel::refresh() {
   both_->setEnabled(view.may_change_hand);
   for (auto* button : {left_, right_}) {
     button->setEnabled(view.may_change_hand);
-    mark_next(*button, view.press == NextPress::hand);
+    mark_choice(*button, view.press == NextPress::hand);
   }
   confirm_hand_->setVisible(presenter_.flow().hand_to_confirm());
   mark_next(*confirm_hand_, view.press == NextPress::confirm_hand);

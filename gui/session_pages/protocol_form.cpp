@@ -149,8 +149,8 @@ void ProtocolForm::refresh() {
     go_on_->setChecked(presenter_.state().choices.interrupted.go_on == true);
     anew_->setChecked(presenter_.state().choices.interrupted.go_on == false);
     const bool asked = presenter_.flow().view().press == NextPress::earlier;
-    mark_next(*go_on_, asked);
-    mark_next(*anew_, asked);
+    mark_choice(*go_on_, asked);
+    mark_choice(*anew_, asked);
   }
   fill_steps();
 }

@@ -131,7 +131,7 @@ void RunPanel::make_next() {
   connect(show_how_, &QPushButton::clicked, this, [this] { presenter_.tasks().show_how(); });
 }
 
-/// Start, pause, stop, and the end where nothing is left to start.
+/// Start, pause, and the end where nothing is left to start.
 void RunPanel::make_buttons() {
   const auto make = [this](const char* name, int height_px, const QString& text = {}) {
     auto* button = new QPushButton(text);
@@ -148,8 +148,6 @@ void RunPanel::make_buttons() {
   describe(*end_disconnect_, tr("Disconnect: end the session"),
            tr("End the session and disconnect (Tab, then Enter)"));
   pause_ = make("pause", 32);
-  stop_ = make("stop", 44, tr("Stop"));
-  describe(*stop_, tr("Stop the trial"), tr("End the trial now; it is kept and marked (F10)"));
   progress_ = new QProgressBar;
   progress_->setRange(0, 1000);
   describe(*progress_, tr("Progress of the trial"), tr("How much of the trial is over"));
@@ -164,7 +162,6 @@ void RunPanel::make_buttons() {
   connect(end_disconnect_, &QPushButton::clicked, this,
           [this] { presenter_.connecting().disconnect_device(); });
   connect(pause_, &QPushButton::clicked, this, &RunPanel::pause_or_go_on);
-  connect(stop_, &QPushButton::clicked, this, [this] { presenter_.trials().stop(); });
 }
 
 void RunPanel::pause_or_go_on() {
@@ -283,9 +280,10 @@ void RunPanel::refresh() {
   start_->setEnabled(view.may_start);
   // With nothing left to start, its place is that of the end.
   start_->setVisible(!view.may_stop && (view.may_start || !view.offers_end));
-  end_report_->setVisible(view.offers_end);
-  mark_next(*end_report_, view.press == NextPress::report);
-  end_disconnect_->setVisible(view.offers_end);
+  const bool ends = view.offers_end && !view.closes;
+  end_report_->setVisible(ends);
+  end_disconnect_->setVisible(ends);
+  mark_next(*end_disconnect_, ends && view.press == NextPress::end);
   mark_next(*start_, view.press == NextPress::start);
   const bool between = view.may_stand_by;
   pause_->setText(view.may_resume ? tr("R&esume")
@@ -299,7 +297,6 @@ void RunPanel::refresh() {
   pause_->setEnabled(view.may_pause || view.may_resume || between);
   pause_->setVisible(view.may_stop || between);
   mark_next(*pause_, view.press == NextPress::resume);
-  stop_->setEnabled(view.may_stop);
   hint_->setText(QString::fromStdString(view.may_stop ? "" : view.start_hint));
   hint_->setVisible(!hint_->text().isEmpty());
   refresh_between();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Running the work of a session: what comes next, start, pause, stop; and what a therapist does
+// Running the work of a session: what comes next, start, pause; and what a therapist does
 // between trials. The next act is the protocol's, or a task that is chosen here.
 #pragma once
 
@@ -49,7 +49,6 @@ class RunPanel final : public Card {
   QLabel* not_shown_;  ///< why, in its place
   QPushButton* start_;
   QPushButton* pause_;
-  QPushButton* stop_;
   QPushButton* end_report_;
   QPushButton* end_disconnect_;
   QProgressBar* progress_;

@@ -264,7 +264,7 @@ void StartPage::refresh() {
   open_->setEnabled(chosen);
   const bool next = view.next() == Step::patient && view.may_change_patient;
   mark_next(*add_, next && clinic_.patients().empty());
-  mark_next(*list_, next && !clinic_.patients().empty());
+  mark_choice(*list_, next && !clinic_.patients().empty());
   mark_next(*begin_, chosen && view.may_change_patient);
   const auto code = QString::fromStdString(presenter_.state().choices.patient);
   const auto shown = list_->currentItem() == nullptr ? QString() : list_->currentItem()->text();
@@ -273,6 +273,7 @@ void StartPage::refresh() {
     for (int row = 0; row < list_->count(); ++row)
       if (list_->item(row)->text() == code) list_->setCurrentRow(row);
   }
+  Q_EMIT renewed();
 }
 
 }  // namespace isograsp::gui

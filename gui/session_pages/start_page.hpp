@@ -29,6 +29,7 @@ class StartPage final : public QWidget {
   [[nodiscard]] bool making_demonstration() const noexcept { return making_; }
 
  Q_SIGNALS:
+  void renewed();               ///< after everything that is shown
   void begin_session();         ///< of the chosen patient
   void open_patient();          ///< the chosen one
   void demonstration_wanted();  ///< a clinic of simulated patients, in a file of its own

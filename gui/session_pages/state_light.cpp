@@ -50,6 +50,13 @@ void StateLight::paintEvent(QPaintEvent*) {
       painter.drawPolyline(polygon({{7.2, 12.4}, {10.6, 15.8}, {17.0, 8.8}}));
       break;
     }
+    case Mood::turn: {
+      fill(look::kAccent);
+      painter.drawEllipse(QPointF(12, 12), 10.5, 10.5);
+      stroke(Qt::white, 2.6);
+      painter.drawPolyline(polygon({{9.8, 7.2}, {14.6, 12.0}, {9.8, 16.8}}));
+      break;
+    }
     case Mood::attention: {
       fill(look::kAttention);
       QPainterPath triangle;

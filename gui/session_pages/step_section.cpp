@@ -64,9 +64,14 @@ StepSection::StepSection(int place, const QString& title, QWidget* body, QWidget
   column->addWidget(body_);
   body_->layout()->setContentsMargins(10, 4, 10, 10);
   body_->hide();
-  connect(head_, &QPushButton::clicked, this, [this] { open(!is_open()); });
+  may_fold(*body_);
+  connect(head_, &QPushButton::clicked, this, [this] {
+    const bool was_open = is_open();
+    Q_EMIT head_pressed();  // a row of folded steps unfolds
+    open(!was_open);
+  });
   show_number(number_, count_);
-  show_state(StepState::open, {});
+  show_state(StepState::open, {}, title_);
 }
 
 void StepSection::show_number(int number, int count) {
@@ -84,7 +89,7 @@ void StepSection::set_title(const QString& title) {
   name_->setMinimumWidth(name_->sizeHint().width());
 }
 
-void StepSection::show_state(StepState state, const QString& summary) {
+void StepSection::show_state(StepState state, const QString& summary, const QString& folded) {
   // A step that becomes the next one is opened; one that is done is closed.
   if (state != state_) open(state == StepState::next);
   if (state == StepState::absent || state_ == StepState::absent)
@@ -93,7 +98,9 @@ void StepSection::show_state(StepState state, const QString& summary) {
   const bool done = state == StepState::done;
   const bool next = state == StepState::next;
   mark_->setText(done ? QStringLiteral("✓") : QString::number(number_));
-  summary_->show_words(summary);
+  words_ = summary;
+  folded_words_ = folded;
+  show_summary();
   const auto* word = done ? "done" : next ? "next" : "open";
   if (property("section").toString() != QLatin1String(word)) {
     for (QWidget* widget : {static_cast<QWidget*>(this), static_cast<QWidget*>(mark_),
@@ -113,8 +120,21 @@ void StepSection::show_state(StepState state, const QString& summary) {
 }
 
 void StepSection::open(bool open) {
-  body_->setVisible(open);
+  body_->setVisible(open && !folded_);
   Q_EMIT opened();
+}
+
+void StepSection::fold(bool folded) {
+  if (folded == folded_) return;
+  folded_ = folded;
+  name_->setVisible(!folded);
+  summary_->setAlignment((folded ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+  open(!folded && state_ == StepState::next);
+  show_summary();
+}
+
+void StepSection::show_summary() {
+  summary_->show_words(folded_ ? folded_words_ : words_);
 }
 
 }  // namespace isograsp::gui

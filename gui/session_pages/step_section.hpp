@@ -23,15 +23,20 @@ class StepSection final : public QFrame {
   /// Which of how many steps that are asked for; Alt+number opens it. 0: it is not asked for.
   void show_number(int number, int count);
   void set_title(const QString& title);
-  /// `summary`: what came of it, e.g. "Right hand".
-  void show_state(StepState state, const QString& summary);
+  /// `summary`: what came of it, e.g. "Right hand"; `folded`: what says so without the title.
+  void show_state(StepState state, const QString& summary, const QString& folded);
   void open(bool open);
   [[nodiscard]] bool is_open() const { return body_->isVisibleTo(this); }
+  /// One of many in a row: closed.
+  void fold(bool folded);
 
  Q_SIGNALS:
-  void opened();  ///< or closed
+  void opened();        ///< or closed
+  void head_pressed();  ///< by hand: is about to be opened or closed
 
  private:
+  void show_summary();
+
   int number_;
   int count_;
   QString title_;
@@ -39,6 +44,9 @@ class StepSection final : public QFrame {
   QPushButton* head_;
   QLabel* mark_;
   QLabel* name_;
+  QString words_;  ///< what came of it
+  QString folded_words_;
+  bool folded_ = false;
   StepSummary* summary_;
   QWidget* body_;
 };

@@ -458,10 +458,6 @@
         <translation>Der Nullabgleich ist erfolgt.</translation>
     </message>
     <message>
-        <source>The protocol is finished. Write the report, or disconnect to end.</source>
-        <translation>Das Protokoll ist beendet. Schreiben Sie den Bericht oder trennen Sie die Verbindung.</translation>
-    </message>
-    <message>
         <source>Take the hand out, then set the zero of the empty device once more.</source>
         <translation>Nehmen Sie die Hand heraus und wiederholen Sie den Nullabgleich des leeren Geräts.</translation>
     </message>
@@ -980,6 +976,18 @@
     <message>
         <source>Check the platforms first, or skip that check.</source>
         <translation>Prüfen Sie zuerst die Plattformen, oder lassen Sie das aus.</translation>
+    </message>
+    <message>
+        <source>The protocol is finished. Print or write the report, then end the session.</source>
+        <translation>Das Protokoll ist beendet. Bericht drucken oder schreiben, dann die Sitzung beenden.</translation>
+    </message>
+    <message>
+        <source>Attention</source>
+        <translation>Achtung</translation>
+    </message>
+    <message>
+        <source>The protocol is finished. Write the report, or disconnect to end.</source>
+        <translation>Das Protokoll ist beendet. Schreiben Sie den Bericht oder trennen Sie die Verbindung.</translation>
     </message>
 </context>
 <context>
@@ -3713,6 +3721,93 @@
     </message>
 </context>
 <context>
+    <name>isograsp::gui::ClosingPanel</name>
+    <message>
+        <source>Effort and pain: not asked yet.</source>
+        <translation>Anstrengung und Schmerz: noch nicht gefragt.</translation>
+    </message>
+    <message>
+        <source>Effort %1 of 10, pain %2 of 10.</source>
+        <translation>Anstrengung %1 von 10, Schmerz %2 von 10.</translation>
+    </message>
+    <message>
+        <source>Today</source>
+        <translation>Heute</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messgröße</translation>
+    </message>
+    <message>
+        <source>Last time</source>
+        <translation>Letztes Mal</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Ändern</translation>
+    </message>
+    <message>
+        <source>Today against last time</source>
+        <translation>Heute und letztes Mal</translation>
+    </message>
+    <message>
+        <source>Means of today&apos;s trials and of the session before; a verdict of change for the primary measures (Tab, arrow keys)</source>
+        <translation>Mittelwerte der Durchgänge von heute und der Sitzung davor; für die Hauptmaße ein Urteil über die Veränderung (Tab, Pfeiltasten)</translation>
+    </message>
+    <message>
+        <source>Print for the patient …</source>
+        <translation>Für den Patienten drucken …</translation>
+    </message>
+    <message>
+        <source>The page in large letters that the patient takes home (Tab, then Enter)</source>
+        <translation>Die Seite in großer Schrift zum Mitnehmen (Tab, dann Eingabetaste)</translation>
+    </message>
+    <message>
+        <source>Report …</source>
+        <translation>Bericht …</translation>
+    </message>
+    <message>
+        <source>All of this patient&apos;s report, on its page (Ctrl+R)</source>
+        <translation>Der ganze Bericht über diesen Patienten, auf seiner Seite (Strg+R)</translation>
+    </message>
+    <message>
+        <source>End and next patient</source>
+        <translation>Beenden, nächster Patient</translation>
+    </message>
+    <message>
+        <source>Ends the session and shows who comes today (F8)</source>
+        <translation>Beendet die Sitzung und zeigt, wer heute kommt (F8)</translation>
+    </message>
+    <message>
+        <source>The page for the patient was sent to the printer.</source>
+        <translation>Die Seite zum Mitnehmen ging an den Drucker.</translation>
+    </message>
+    <message>
+        <source>The printer takes nothing: is it connected, has it paper?</source>
+        <translation>Der Drucker nimmt nichts an: Ist er angeschlossen, hat er Papier?</translation>
+    </message>
+    <message>
+        <source>Today: %1, %2</source>
+        <translation>Heute: %1, %2</translation>
+    </message>
+    <message>
+        <source>Looking at what is stored …</source>
+        <translation>Gespeichertes wird gelesen …</translation>
+    </message>
+    <message>
+        <source>first time</source>
+        <translation>zum ersten Mal</translation>
+    </message>
+    <message>
+        <source>Valid: nothing that was recorded speaks against today&apos;s values.</source>
+        <translation>Gültig: Nichts von dem, was aufgezeichnet wurde, spricht gegen die Werte von heute.</translation>
+    </message>
+    <message>
+        <source>To be kept in mind. %1</source>
+        <translation>Zu bedenken. %1</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::ComparisonPanel</name>
     <message>
         <source>Compare two sessions</source>
@@ -5271,6 +5366,53 @@ Neu verbunden: %7</translation>
     </message>
 </context>
 <context>
+    <name>isograsp::gui::NextBar</name>
+    <message>
+        <source>Choose a patient</source>
+        <translation>Patient wählen</translation>
+    </message>
+    <message>
+        <source>Choose the arm</source>
+        <translation>Arm wählen</translation>
+    </message>
+    <message>
+        <source>Choose the hand</source>
+        <translation>Hand wählen</translation>
+    </message>
+    <message>
+        <source>Answer the screening</source>
+        <translation>Vorab-Fragen beantworten</translation>
+    </message>
+    <message>
+        <source>Go on or anew?</source>
+        <translation>Weiter oder neu?</translation>
+    </message>
+    <message>
+        <source>Choose the device</source>
+        <translation>Gerät wählen</translation>
+    </message>
+    <message>
+        <source>The state of the session and the sensible next step</source>
+        <translation>Der Stand der Sitzung und der sinnvolle nächste Schritt</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Stop the trial</source>
+        <translation>Den Versuch stoppen</translation>
+    </message>
+    <message>
+        <source>End the trial now; it is kept and marked (F10)</source>
+        <translation>Den Versuch jetzt beenden; er wird behalten und gekennzeichnet (F10)</translation>
+    </message>
+    <message>
+        <source>The next thing to do (F8)</source>
+        <translation>Das Nächste, was zu tun ist (F8)</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::ObjectPathView</name>
     <message>
         <source>From the front</source>
@@ -6205,6 +6347,10 @@ Neu verbunden: %7</translation>
         <source>both</source>
         <translation>beide</translation>
     </message>
+    <message>
+        <source>Protocol: %1</source>
+        <translation>Protokoll: %1</translation>
+    </message>
 </context>
 <context>
     <name>isograsp::gui::PrimaryCard</name>
@@ -6793,18 +6939,6 @@ Neu verbunden: %7</translation>
         <translation>&amp;Start</translation>
     </message>
     <message>
-        <source>Stop</source>
-        <translation>Stopp</translation>
-    </message>
-    <message>
-        <source>Stop the trial</source>
-        <translation>Den Versuch stoppen</translation>
-    </message>
-    <message>
-        <source>End the trial now; it is kept and marked (F10)</source>
-        <translation>Den Versuch jetzt beenden; er wird behalten und gekennzeichnet (F10)</translation>
-    </message>
-    <message>
         <source>Progress of the trial</source>
         <translation>Fortschritt des Versuchs</translation>
     </message>
@@ -7086,14 +7220,6 @@ Neu verbunden: %7</translation>
         <translation>Ergebnis des Versuchs</translation>
     </message>
     <message>
-        <source>Measures of the running or the last trial (Alt+U)</source>
-        <translation>Messgrößen des laufenden oder des letzten Versuchs (Alt+E)</translation>
-    </message>
-    <message>
-        <source>Res&amp;ult</source>
-        <translation>&amp;Ergebnis</translation>
-    </message>
-    <message>
         <source>So far, renewed every second</source>
         <translation>Bisher, jede Sekunde erneuert</translation>
     </message>
@@ -7108,6 +7234,26 @@ Neu verbunden: %7</translation>
     <message>
         <source>No trial in this session yet.</source>
         <translation>Noch kein Versuch in dieser Sitzung.</translation>
+    </message>
+    <message>
+        <source>All measures</source>
+        <translation>Alle Messgrößen</translation>
+    </message>
+    <message>
+        <source>All measures of the trial in numbers (Ctrl+U)</source>
+        <translation>Alle Maße des Durchgangs in Zahlen (Strg+U)</translation>
+    </message>
+    <message>
+        <source>Measures of the running or the last trial (Tab, arrow keys)</source>
+        <translation>Maße des laufenden oder des letzten Durchgangs (Tab, Pfeiltasten)</translation>
+    </message>
+    <message>
+        <source>No earlier session to compare with</source>
+        <translation>Keine frühere Sitzung zum Vergleich</translation>
+    </message>
+    <message>
+        <source>Last time %1, on %2</source>
+        <translation>Letztes Mal %1, am %2</translation>
     </message>
 </context>
 <context>
@@ -7875,10 +8021,6 @@ Neu verbunden: %7</translation>
         <translation>IsoGrasp</translation>
     </message>
     <message>
-        <source>The state of the session and the sensible next step</source>
-        <translation>Der Stand der Sitzung und der sinnvolle nächste Schritt</translation>
-    </message>
-    <message>
         <source>SIMULATED</source>
         <translation>SIMULIERT</translation>
     </message>
@@ -8324,34 +8466,6 @@ Neuester Wert %3.%4 Pfeiltasten gehen zum nächsten Bild, Eingabe oder ein Klick
         <translation>Ohne Hand im Gerät: Eine ruhige Sekunde wird zu null (Alt+N)</translation>
     </message>
     <message>
-        <source>No hand, nothing touches the supports?</source>
-        <translation>Keine Hand, nichts berührt die Auflagen?</translation>
-    </message>
-    <message>
-        <source>Yes, empt&amp;y</source>
-        <translation>&amp;Ja, leer</translation>
-    </message>
-    <message>
-        <source>Yes, the device is empty</source>
-        <translation>Ja, das Gerät ist leer</translation>
-    </message>
-    <message>
-        <source>Set the zero now (Alt+Y)</source>
-        <translation>Jetzt Nullabgleich (Alt+J)</translation>
-    </message>
-    <message>
-        <source>&amp;No</source>
-        <translation>Ne&amp;in</translation>
-    </message>
-    <message>
-        <source>No, not yet</source>
-        <translation>Nein, noch nicht</translation>
-    </message>
-    <message>
-        <source>Keep the present zero (Alt+N)</source>
-        <translation>Den jetzigen Nullabgleich behalten (Alt+I)</translation>
-    </message>
-    <message>
         <source>Empty; was serviced: ta&amp;ke it</source>
         <translation>Leer, &amp;gewartet: annehmen</translation>
     </message>
@@ -8380,8 +8494,12 @@ Neuester Wert %3.%4 Pfeiltasten gehen zum nächsten Bild, Eingabe oder ein Klick
         <translation>Ohne Hand in beiden: eine ruhige Sekunde wird Null, bei beiden zugleich (Alt+Z)</translation>
     </message>
     <message>
-        <source>No hand in either, nothing touches the supports?</source>
-        <translation>Keine Hand in beiden, nichts berührt die Auflagen?</translation>
+        <source>No hand in either, nothing touches the supports.</source>
+        <translation>In keiner eine Hand, nichts berührt die Auflagen.</translation>
+    </message>
+    <message>
+        <source>No hand, nothing touches the supports.</source>
+        <translation>Keine Hand, nichts berührt die Auflagen.</translation>
     </message>
 </context>
 </TS>

@@ -458,10 +458,6 @@
         <translation>La mise à zéro est faite.</translation>
     </message>
     <message>
-        <source>The protocol is finished. Write the report, or disconnect to end.</source>
-        <translation>Le protocole est terminé. Rédigez le rapport, ou déconnectez pour finir.</translation>
-    </message>
-    <message>
         <source>Take the hand out, then set the zero of the empty device once more.</source>
         <translation>Retirez la main, puis refaites la mise à zéro de l’appareil vide.</translation>
     </message>
@@ -980,6 +976,18 @@
     <message>
         <source>Check the platforms first, or skip that check.</source>
         <translation>Vérifiez d’abord les plateformes, ou passez cette vérification.</translation>
+    </message>
+    <message>
+        <source>The protocol is finished. Print or write the report, then end the session.</source>
+        <translation>Le protocole est terminé. Imprimez ou rédigez le rapport, puis terminez la séance.</translation>
+    </message>
+    <message>
+        <source>Attention</source>
+        <translation>Attention</translation>
+    </message>
+    <message>
+        <source>The protocol is finished. Write the report, or disconnect to end.</source>
+        <translation>Le protocole est terminé. Rédigez le rapport, ou déconnectez pour finir.</translation>
     </message>
 </context>
 <context>
@@ -3713,6 +3721,93 @@
     </message>
 </context>
 <context>
+    <name>isograsp::gui::ClosingPanel</name>
+    <message>
+        <source>Effort and pain: not asked yet.</source>
+        <translation>Effort et douleur : pas encore demandés.</translation>
+    </message>
+    <message>
+        <source>Effort %1 of 10, pain %2 of 10.</source>
+        <translation>Effort %1 sur 10, douleur %2 sur 10.</translation>
+    </message>
+    <message>
+        <source>Today</source>
+        <translation>Aujourd’hui</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Mesure</translation>
+    </message>
+    <message>
+        <source>Last time</source>
+        <translation>Dernière fois</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Changer</translation>
+    </message>
+    <message>
+        <source>Today against last time</source>
+        <translation>Aujourd’hui et la dernière fois</translation>
+    </message>
+    <message>
+        <source>Means of today&apos;s trials and of the session before; a verdict of change for the primary measures (Tab, arrow keys)</source>
+        <translation>Moyennes des essais d’aujourd’hui et de la séance précédente ; pour les mesures principales un verdict de changement (Tab, flèches)</translation>
+    </message>
+    <message>
+        <source>Print for the patient …</source>
+        <translation>Imprimer pour le patient …</translation>
+    </message>
+    <message>
+        <source>The page in large letters that the patient takes home (Tab, then Enter)</source>
+        <translation>La page en grands caractères que le patient emporte (Tab, puis Entrée)</translation>
+    </message>
+    <message>
+        <source>Report …</source>
+        <translation>Rapport …</translation>
+    </message>
+    <message>
+        <source>All of this patient&apos;s report, on its page (Ctrl+R)</source>
+        <translation>Tout le rapport sur ce patient, sur sa page (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>End and next patient</source>
+        <translation>Terminer, patient suivant</translation>
+    </message>
+    <message>
+        <source>Ends the session and shows who comes today (F8)</source>
+        <translation>Termine la séance et montre qui vient aujourd’hui (F8)</translation>
+    </message>
+    <message>
+        <source>The page for the patient was sent to the printer.</source>
+        <translation>La page à emporter a été envoyée à l’imprimante.</translation>
+    </message>
+    <message>
+        <source>The printer takes nothing: is it connected, has it paper?</source>
+        <translation>L’imprimante n’accepte rien : est-elle branchée, a-t-elle du papier ?</translation>
+    </message>
+    <message>
+        <source>Today: %1, %2</source>
+        <translation>Aujourd’hui : %1, %2</translation>
+    </message>
+    <message>
+        <source>Looking at what is stored …</source>
+        <translation>Lecture des données enregistrées …</translation>
+    </message>
+    <message>
+        <source>first time</source>
+        <translation>première fois</translation>
+    </message>
+    <message>
+        <source>Valid: nothing that was recorded speaks against today&apos;s values.</source>
+        <translation>Valable : rien de ce qui a été enregistré ne met en doute les valeurs d’aujourd’hui.</translation>
+    </message>
+    <message>
+        <source>To be kept in mind. %1</source>
+        <translation>À garder à l’esprit. %1</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::ComparisonPanel</name>
     <message>
         <source>Compare two sessions</source>
@@ -5271,6 +5366,53 @@ Reconnecté&#xa0;: %7</translation>
     </message>
 </context>
 <context>
+    <name>isograsp::gui::NextBar</name>
+    <message>
+        <source>Choose a patient</source>
+        <translation>Choisir un patient</translation>
+    </message>
+    <message>
+        <source>Choose the arm</source>
+        <translation>Choisir le bras</translation>
+    </message>
+    <message>
+        <source>Choose the hand</source>
+        <translation>Choisir la main</translation>
+    </message>
+    <message>
+        <source>Answer the screening</source>
+        <translation>Répondre aux questions</translation>
+    </message>
+    <message>
+        <source>Go on or anew?</source>
+        <translation>Continuer ou recommencer ?</translation>
+    </message>
+    <message>
+        <source>Choose the device</source>
+        <translation>Choisir l’appareil</translation>
+    </message>
+    <message>
+        <source>The state of the session and the sensible next step</source>
+        <translation>L’état de la séance et l’étape suivante utile</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>Stop the trial</source>
+        <translation>Arrêter l’essai</translation>
+    </message>
+    <message>
+        <source>End the trial now; it is kept and marked (F10)</source>
+        <translation>Finir l’essai maintenant&#xa0;; il est conservé et marqué (F10)</translation>
+    </message>
+    <message>
+        <source>The next thing to do (F8)</source>
+        <translation>La prochaine chose à faire (F8)</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::ObjectPathView</name>
     <message>
         <source>From the front</source>
@@ -6205,6 +6347,10 @@ Reconnecté&#xa0;: %7</translation>
         <source>both</source>
         <translation>les deux</translation>
     </message>
+    <message>
+        <source>Protocol: %1</source>
+        <translation>Protocole : %1</translation>
+    </message>
 </context>
 <context>
     <name>isograsp::gui::PrimaryCard</name>
@@ -6793,18 +6939,6 @@ Reconnecté&#xa0;: %7</translation>
         <translation>Lancer l’e&amp;ssai</translation>
     </message>
     <message>
-        <source>Stop</source>
-        <translation>Arrêter</translation>
-    </message>
-    <message>
-        <source>Stop the trial</source>
-        <translation>Arrêter l’essai</translation>
-    </message>
-    <message>
-        <source>End the trial now; it is kept and marked (F10)</source>
-        <translation>Finir l’essai maintenant&#xa0;; il est conservé et marqué (F10)</translation>
-    </message>
-    <message>
         <source>Progress of the trial</source>
         <translation>Avancement de l’essai</translation>
     </message>
@@ -7086,14 +7220,6 @@ Reconnecté&#xa0;: %7</translation>
         <translation>Résultat de l’essai</translation>
     </message>
     <message>
-        <source>Measures of the running or the last trial (Alt+U)</source>
-        <translation>Mesures de l’essai en cours ou du dernier (Alt+U)</translation>
-    </message>
-    <message>
-        <source>Res&amp;ult</source>
-        <translation>Rés&amp;ultat</translation>
-    </message>
-    <message>
         <source>So far, renewed every second</source>
         <translation>Jusqu’ici, actualisé chaque seconde</translation>
     </message>
@@ -7108,6 +7234,26 @@ Reconnecté&#xa0;: %7</translation>
     <message>
         <source>No trial in this session yet.</source>
         <translation>Pas encore d’essai dans cette séance.</translation>
+    </message>
+    <message>
+        <source>All measures</source>
+        <translation>Toutes les mesures</translation>
+    </message>
+    <message>
+        <source>All measures of the trial in numbers (Ctrl+U)</source>
+        <translation>Toutes les mesures de l’essai en chiffres (Ctrl+U)</translation>
+    </message>
+    <message>
+        <source>Measures of the running or the last trial (Tab, arrow keys)</source>
+        <translation>Mesures de l’essai en cours ou du dernier (Tab, flèches)</translation>
+    </message>
+    <message>
+        <source>No earlier session to compare with</source>
+        <translation>Pas de séance antérieure pour comparer</translation>
+    </message>
+    <message>
+        <source>Last time %1, on %2</source>
+        <translation>La dernière fois %1, le %2</translation>
     </message>
 </context>
 <context>
@@ -7875,10 +8021,6 @@ Reconnecté&#xa0;: %7</translation>
         <translation>IsoGrasp</translation>
     </message>
     <message>
-        <source>The state of the session and the sensible next step</source>
-        <translation>L’état de la séance et l’étape suivante utile</translation>
-    </message>
-    <message>
         <source>SIMULATED</source>
         <translation>SIMULÉ</translation>
     </message>
@@ -8324,34 +8466,6 @@ Dernière valeur %3.%4 Les flèches passent à l’image suivante, Entrée ou un
         <translation>Sans main dans l’appareil&#xa0;: une seconde calme devient le zéro (Alt+Z)</translation>
     </message>
     <message>
-        <source>No hand, nothing touches the supports?</source>
-        <translation>Pas de main, rien ne touche les appuis&#xa0;?</translation>
-    </message>
-    <message>
-        <source>Yes, empt&amp;y</source>
-        <translation>Oui, &amp;vide</translation>
-    </message>
-    <message>
-        <source>Yes, the device is empty</source>
-        <translation>Oui, l’appareil est vide</translation>
-    </message>
-    <message>
-        <source>Set the zero now (Alt+Y)</source>
-        <translation>Mettre à zéro maintenant (Alt+V)</translation>
-    </message>
-    <message>
-        <source>&amp;No</source>
-        <translation>&amp;Non</translation>
-    </message>
-    <message>
-        <source>No, not yet</source>
-        <translation>Non, pas encore</translation>
-    </message>
-    <message>
-        <source>Keep the present zero (Alt+N)</source>
-        <translation>Garder le zéro actuel (Alt+N)</translation>
-    </message>
-    <message>
         <source>Empty; was serviced: ta&amp;ke it</source>
         <translation>Vide, rév&amp;isé&#xa0;: accepter</translation>
     </message>
@@ -8380,8 +8494,12 @@ Dernière valeur %3.%4 Les flèches passent à l’image suivante, Entrée ou un
         <translation>Sans main dans aucune&#xa0;: une seconde calme devient zéro, des deux à la fois (Alt+Z)</translation>
     </message>
     <message>
-        <source>No hand in either, nothing touches the supports?</source>
-        <translation>Pas de main, rien ne touche les appuis des deux&#xa0;?</translation>
+        <source>No hand in either, nothing touches the supports.</source>
+        <translation>Aucune main dans l’une ni l’autre, rien ne touche les supports.</translation>
+    </message>
+    <message>
+        <source>No hand, nothing touches the supports.</source>
+        <translation>Pas de main, rien ne touche les supports.</translation>
     </message>
 </context>
 </TS>

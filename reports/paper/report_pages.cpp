@@ -78,6 +78,10 @@ const PageFurniture& ReportPages::furniture() const noexcept {
 int ReportPages::pages() const noexcept {
   return static_cast<int>(parts_->pages.size());
 }
+std::optional<int> ReportPages::patient_page() const noexcept {
+  if (parts_->content.sessions.empty()) return std::nullopt;
+  return pages() - 1;
+}
 int ReportPages::steps(int page) const noexcept {
   return static_cast<int>(parts_->pages[static_cast<std::size_t>(page)].size());
 }
@@ -96,8 +100,8 @@ QSizeF report_page_size() noexcept {
   return {kPageWidth, kPageHeight};
 }
 
-PagePrinter::PagePrinter(const ReportPages& pages, QPagedPaintDevice& device)
-    : pages_(pages), device_(device), painter_(std::make_unique<QCPPainter>()) {}
+PagePrinter::PagePrinter(const ReportPages& pages, QPagedPaintDevice& device, int first_page)
+    : pages_(pages), device_(device), page_(first_page), painter_(std::make_unique<QCPPainter>()) {}
 PagePrinter::~PagePrinter() = default;
 
 bool PagePrinter::paint_next() {

@@ -5,6 +5,7 @@
 
 #include <QImage>
 #include <memory>
+#include <optional>
 
 #include "reports/paper/page_furniture.hpp"
 #include "reports/paper/page_layout.hpp"
@@ -26,6 +27,8 @@ class ReportPages {
 
   [[nodiscard]] const PageFurniture& furniture() const noexcept;
   [[nodiscard]] int pages() const noexcept;
+  /// The page for the patient, the last one of a progress report; nothing: there is none.
+  [[nodiscard]] std::optional<int> patient_page() const noexcept;
   /// Steps of some milliseconds in which a page (from 0) is painted; at least one.
   [[nodiscard]] int steps(int page) const noexcept;
   [[nodiscard]] int steps() const noexcept;  ///< of all pages
@@ -40,23 +43,23 @@ class ReportPages {
 /// Size of a page [points].
 [[nodiscard]] QSizeF report_page_size() noexcept;
 
-/// All pages on a paged device, step by step.
+/// All pages from one on (from 0) on a paged device, step by step.
 class PagePrinter {
  public:
   /// Both must outlive it.
-  PagePrinter(const ReportPages& pages, QPagedPaintDevice& device);
+  PagePrinter(const ReportPages& pages, QPagedPaintDevice& device, int first_page = 0);
   ~PagePrinter();
 
   [[nodiscard]] int page() const noexcept { return page_; }  ///< that comes next, from 0
   [[nodiscard]] int steps_done() const noexcept { return done_; }
-  [[nodiscard]] bool complete() const noexcept { return done_ == pages_.steps(); }
+  [[nodiscard]] bool complete() const noexcept { return page_ == pages_.pages(); }
   /// False: the device takes nothing, a printer without paper for instance. @pre !complete()
   [[nodiscard]] bool paint_next();
 
  private:
   const ReportPages& pages_;
   QPagedPaintDevice& device_;
-  int page_ = 0;
+  int page_;
   int step_ = 0;
   int done_ = 0;
   std::unique_ptr<QCPPainter> painter_;

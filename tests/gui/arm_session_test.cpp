@@ -147,7 +147,7 @@ TEST_F(ArmInWindows, AWholeSessionEndsWithItsTrialsInTheDatabase) {
   EXPECT_GT(operator_.find<QTableWidget>("score").rowCount(), 0);
   operator_.press("effort_3");
   operator_.press("pain_0");
-  operator_.press("end_disconnect");
+  operator_.press("closing_end");
   ASSERT_TRUE(wait_until([&] { return !state().busy(); }));
 
   const auto session = stored_session();

@@ -58,7 +58,8 @@ TEST(Flow, LeadsFromPatientToTaskInOrder) {
   facts.maximum_force_N = 40.0;
   EXPECT_EQ(decide(facts).next(), Step::work);
   facts.task_done = true;
-  EXPECT_FALSE(decide(facts).next().has_value());
+  EXPECT_EQ(decide(facts).next(), Step::work);
+  EXPECT_EQ(decide(facts).press, facts.task_chosen ? NextPress::start : NextPress::none);
 }
 
 TEST(Flow, HasAtMostOneNextStepAndAlwaysASentence) {
@@ -279,10 +280,43 @@ TEST(Flow, TheEndOfTheWorkOffersReportAndDisconnecting) {
   facts.protocol.active = true;
   facts.protocol.act = ProtocolFacts::Act::none;
   EXPECT_TRUE(decide(facts).offers_end && decide(facts).may_disconnect);
-  EXPECT_EQ(decide(facts).press, NextPress::report);
+  EXPECT_EQ(decide(facts).press, NextPress::end);
   facts.protocol.act = ProtocolFacts::Act::trial;
   facts.stop_reason = Known{"Pain 5 of 10: stop the work of this hand for today."};
   EXPECT_TRUE(decide(facts).offers_end);
+}
+
+TEST(Flow, TheStepsFoldOnceTrialsRunAndNothingOfThemIsToBeDone) {
+  FlowFacts facts = settled();
+  EXPECT_FALSE(decide(facts).steps_fold) << "no trial has begun";
+  facts.stage = session::Stage::trial;
+  EXPECT_TRUE(decide(facts).steps_fold);
+  facts.stage = session::Stage::idle;
+  facts.rest_done = true;
+  facts.task_rests = false;
+  facts.last_rested = true;
+  EXPECT_EQ(decide(facts).next(), Step::work);
+  EXPECT_TRUE(decide(facts).steps_fold);
+  facts.restarted = Finger::thumb;
+  EXPECT_EQ(decide(facts).next(), Step::zero);
+  EXPECT_FALSE(decide(facts).steps_fold) << "a zero is to be set";
+  facts.restarted.reset();
+  facts.straps_due = true;
+  EXPECT_FALSE(decide(facts).steps_fold) << "straps are to be looked at";
+}
+
+TEST(Flow, WhatCameOfASessionIsShownAtTheEndOfTheWorkOnly) {
+  FlowFacts facts = settled();
+  facts.protocol.active = true;
+  facts.protocol.act = ProtocolFacts::Act::none;
+  EXPECT_FALSE(decide(facts).closes) << "no trial: nothing came of it";
+  facts.last_rested = false;
+  EXPECT_TRUE(decide(facts).closes);
+  facts.protocol.act = ProtocolFacts::Act::trial;
+  EXPECT_FALSE(decide(facts).closes);
+  facts.stop_reason = Known{"Pain 5 of 10: stop the work of this hand for today."};
+  EXPECT_TRUE(decide(facts).closes);
+  EXPECT_EQ(decide(facts).press, NextPress::end);
 }
 
 TEST(Flow, AFileThatAnotherProgramHasOpenIsOnlyLookedAt) {
@@ -320,7 +354,8 @@ TEST(Flow, AFailedDatabaseAllowsNothing) {
 }
 
 TEST(Flow, EveryMoodHasItsOwnWord) {
-  const std::array moods{Mood::off, Mood::busy, Mood::ready, Mood::attention, Mood::fault};
+  const std::array moods{Mood::off,  Mood::busy,      Mood::ready,
+                         Mood::turn, Mood::attention, Mood::fault};
   for (const Mood a : moods)
     for (const Mood b : moods) EXPECT_EQ(word_for(a) == word_for(b), a == b);
 }
@@ -355,7 +390,7 @@ TEST(Flow, TheZeroOfAProtocolIsNothingThatStartCanBegin) {
   const FlowView view = decide(in_protocol(ProtocolFacts::Act::zero));
   EXPECT_FALSE(view.may_start);
   EXPECT_TRUE(view.may_zero);
-  EXPECT_EQ(view.mood, Mood::attention);
+  EXPECT_EQ(view.mood, Mood::turn) << "nothing is wrong";
 }
 
 TEST(Flow, AProtocolThatIsOverHasNothingLeftToDo) {

@@ -146,7 +146,7 @@ TEST_F(HandInWindows, AWholeSessionLeadsThroughTheEntryTestToAStoredPlacement) {
   operator_.press("effort_3");
   operator_.press("pain_0");
   operator_.press("shoulder_pain_0");
-  operator_.press("end_disconnect");
+  operator_.press("closing_end");
   ASSERT_TRUE(wait_until([&] { return !state().busy(); }));
 
   const auto session = stored_session();

@@ -210,8 +210,8 @@ const char* disagreement(const FlowFacts& facts, const FlowView& view) {
   // The two lights.
   if (view.device_mood == Mood::fault && open && view.mood != Mood::fault)
     return "the small light tells a fault, the large one does not";
-  if (view.device_mood == Mood::attention &&
-      (view.mood == Mood::ready || view.mood == Mood::busy || view.mood == Mood::off))
+  if (view.device_mood == Mood::attention && (view.mood == Mood::ready || view.mood == Mood::busy ||
+                                              view.mood == Mood::turn || view.mood == Mood::off))
     return "the small light asks for something, the large one is content";
   if (view.mood == Mood::ready && view.device_mood != Mood::ready) return "a check without reason";
   // Start.
@@ -262,7 +262,7 @@ const char* disagreement(const FlowFacts& facts, const FlowView& view) {
   if (view.situation == Situation::test_stop && !view.may_test_stop)
     return "a test is asked for that counts for nothing";
   if (!is(NextPress::picture, view.may_watch_picture, Step::work)) return "picture";
-  if (!is(NextPress::report, view.offers_end, std::nullopt)) return "report";
+  if (!is(NextPress::end, view.offers_end, std::nullopt)) return "end";
   if (view.press == NextPress::start &&
       !(view.may_start && (next == Step::work || next == Step::rest) &&
         (view.mood == Mood::ready || view.device_speaks || view.situation == Situation::settle)))

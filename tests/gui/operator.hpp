@@ -114,7 +114,6 @@ class Operator {
         windows_.presenter().state().snapshot().zeroed)
       open_section(Step::zero);
     press("zero");
-    press("zero_confirmed");
     const auto set = [&] {
       const auto& now = windows_.presenter().state().snapshot();
       return now.zeroed && !now.restarted && windows_.presenter().flow().view().may_choose_task;

@@ -108,7 +108,6 @@ TEST_F(HandleWithZero, AsksForItsZeroAndForNoStrappedHand) {
   EXPECT_TRUE(is_there(Step::zero));
   EXPECT_FALSE(is_there(Step::rest));
   operator_.press("zero");
-  operator_.press("zero_confirmed");
   ASSERT_TRUE(wait_until([&] { return view().next() == Step::work; })) << view().sentence;
   EXPECT_EQ(state(Step::zero), StepState::done);
 }

@@ -132,7 +132,6 @@ void photograph(const QString& output, const std::string& language) {
   photographer.take_both("connected");
   therapist.press("zero");
   photographer.take_therapist("therapist_confirm");
-  therapist.press("zero_confirmed");
   ASSERT_TRUE(wait_until([&] { return presenter.state().snapshot().zeroed; }));
   QTest::qWait(200);
   photographer.take_both("zeroed");

@@ -2,6 +2,7 @@
 // What the therapist's window offers at which moment: keys, the question of an interrupted
 // protocol, the end of the work, a file that another program has open.
 #include <QDialog>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -38,15 +39,18 @@ class SessionWindow : public QtTest {
     FAIL() << name;
   }
 
-  /// Buttons of the session that are filled, and can be seen and pressed.
-  std::vector<std::string> filled() {
+  /// Buttons of the session that are marked as next, and can be seen and pressed.
+  std::vector<std::string> marked() {
     std::vector<std::string> names;
     windows_.therapist().show_page(TherapistWindow::Page::session);
     for (auto* button : windows_.therapist().findChildren<QPushButton*>())
-      if (button->property("next").toBool() && button->isVisible() && button->isEnabled())
+      if (!button->property("next").toString().isEmpty() && button->isVisible() &&
+          button->isEnabled())
         names.push_back(button->objectName().toStdString());
     return names;
   }
+  QPushButton& next_thing() { return operator_.find<QPushButton>("next_thing"); }
+  void press_f8() { QTest::keyClick(&windows_.therapist(), Qt::Key_F8); }
 
   TemporaryFolder folder_;
   Windows windows_;
@@ -68,27 +72,95 @@ TEST_F(SessionWindow, EnterPressesTheButtonThatHasTheFocus) {
   }
 }
 
-TEST_F(SessionWindow, OneButtonIsFilledAndTheHandSettlesBeforeAnythingStarts) {
+TEST_F(SessionWindow, OneButtonIsNextAndTheHandSettlesBeforeAnythingStarts) {
   operator_.prepare_person();
   choose_protocol("First session");
   ASSERT_TRUE(wait_until([&] { return presenter_.flow().view().may_connect; }));
-  EXPECT_EQ(filled(), Names{"connect"});
+  EXPECT_EQ(marked(), Names{"connect"});
   operator_.press("connect");
   ASSERT_TRUE(wait_until([&] { return presenter_.flow().view().may_zero; }));
-  EXPECT_EQ(filled(), Names{"zero"});
+  EXPECT_EQ(marked(), Names{"zero"});
   operator_.set_zero();
   ASSERT_TRUE(wait_until([&] { return presenter_.flow().view().may_strap; }));
-  EXPECT_EQ(filled(), Names{"strapped"});
-  QTest::keyClick(&windows_.therapist(), Qt::Key_F8);
-  EXPECT_FALSE(presenter_.flow().under_way()) << "F8 does not skip the minute";
-  operator_.open_section(Step::zero);  // once more, though nothing asks for it
-  operator_.press("zero");
-  EXPECT_TRUE(operator_.find<QWidget>("zero_confirmed").isVisible());
-  EXPECT_EQ(filled(), Names{"strapped"});
-  operator_.press("zero_not_yet");
-  operator_.press("strapped");
+  EXPECT_EQ(marked(), Names{"strapped"});
+  QTest::keyClick(&windows_.therapist(), Qt::Key_F9);
+  EXPECT_FALSE(presenter_.flow().under_way());
+  EXPECT_TRUE(presenter_.flow().view().may_strap) << "the pedal confirms nothing";
+  press_f8();
+  EXPECT_FALSE(presenter_.flow().view().may_strap) << "the hand is in";
+  EXPECT_FALSE(presenter_.flow().view().may_stop) << "F8 does not skip the minute";
   ASSERT_TRUE(wait_until([&] { return presenter_.flow().view().may_stop; }))
       << "it goes on by itself: " << presenter_.flow().view().sentence;
+}
+
+TEST_F(SessionWindow, TheBarAndF8GoTheWholeWayWhereNothingHasToBeChosen) {
+  const auto says = [&](const char* words) {
+    return wait_until([&] { return next_thing().isVisible() && next_thing().text() == words; });
+  };
+  windows_.therapist().show_page(TherapistWindow::Page::start);
+  EXPECT_TRUE(says("Add patient"));
+  press_f8();
+  EXPECT_TRUE(says("Choose the hand"));
+  press_f8();
+  EXPECT_EQ(presenter_.state().choices.today.hand, std::nullopt) << "nothing is filled in";
+  EXPECT_EQ(windows_.therapist().focusWidget(), &operator_.find<QWidget>("hand_left"));
+  operator_.press("hand_right");
+  EXPECT_TRUE(says("Answer the screening"));
+  press_f8();
+  EXPECT_FALSE(presenter_.flow().view().may_connect) << "nothing is answered";
+  QTest::keyClick(windows_.therapist().focusWidget(), Qt::Key_Return);
+  choose_protocol("First session");
+  EXPECT_TRUE(says("Connect"));
+  windows_.therapist().show_page(TherapistWindow::Page::library);
+  EXPECT_TRUE(says("Connect")) << "on every page";
+  press_f8();
+  EXPECT_TRUE(says("Device is empty: set zero"));
+  press_f8();
+  EXPECT_TRUE(says("Hand is in and strapped"));
+  press_f8();
+  EXPECT_TRUE(wait_until([&] { return presenter_.flow().view().may_stop; }));
+  EXPECT_FALSE(next_thing().isVisible()) << "nothing is next while a trial runs";
+}
+
+TEST_F(SessionWindow, EnterPressesWhatIsNextWhereNothingElseHasTheFocus) {
+  operator_.prepare_person();
+  choose_protocol("First session");
+  ASSERT_TRUE(wait_until([&] { return presenter_.flow().view().may_connect; }));
+  auto& search = operator_.find<QLineEdit>("patient_search");
+  windows_.therapist().show_page(TherapistWindow::Page::start);
+  search.setFocus();
+  QTest::keyClick(&search, Qt::Key_Return);
+  EXPECT_FALSE(presenter_.state().busy()) << "Enter in a field is the field's";
+  windows_.therapist().show_page(TherapistWindow::Page::session);
+  if (auto* focus = windows_.therapist().focusWidget(); focus != nullptr) focus->clearFocus();
+  QTest::keyClick(&windows_.therapist(), Qt::Key_Return);
+  EXPECT_TRUE(presenter_.state().busy());
+  ASSERT_TRUE(wait_until([&] { return presenter_.state().session_open(); }));
+}
+
+TEST_F(SessionWindow, AKeyThatIsHeldAndADoubleClickPassOneStep) {
+  operator_.prepare_person();
+  choose_protocol("First session");
+  operator_.press("connect");
+  ASSERT_TRUE(wait_until([&] { return presenter_.flow().view().may_zero; }));
+  for (const auto key : {Qt::Key_F8, Qt::Key_Return}) {
+    QKeyEvent held(QEvent::KeyPress, key, Qt::NoModifier, {}, true);
+    QApplication::sendEvent(&windows_.therapist(), &held);
+  }
+  EXPECT_TRUE(presenter_.flow().view().may_zero) << "not even one, by a key held from before";
+  QTest::mouseClick(&next_thing(), Qt::LeftButton);
+  QTest::mouseDClick(&next_thing(), Qt::LeftButton);  // the second press of a double click alone
+  QTest::mouseRelease(&next_thing(), Qt::LeftButton);
+  ASSERT_TRUE(wait_until([&] { return presenter_.flow().view().may_strap; }));
+  EXPECT_EQ(next_thing().text(), "Hand is in and strapped") << "the zero alone was set";
+}
+
+/// Whatever is next: the bar's is filled; the login's covers all others.
+TEST_F(SessionWindow, TheFilledButtonIsThatOfTheBarAlone) {
+  QStringList filled;
+  for (const auto* button : windows_.therapist().findChildren<QPushButton*>())
+    if (button->property("main").toString() == "yes") filled << button->objectName();
+  EXPECT_EQ(filled, QStringList{"login"});
 }
 
 TEST_F(SessionWindow, TheQuestionOfAnInterruptedProtocolIsReadableOnASmallDisplay) {
@@ -144,7 +216,8 @@ TEST_F(SessionWindow, ALongSummaryKeepsItsBeginning) {
         return body;
       }(),
       &windows_.therapist());
-  section.show_state(StepState::done, "Comfortable force only, at most 20 N, skin, pain 3 of 10");
+  section.show_state(StepState::done, "Comfortable force only, at most 20 N, skin, pain 3 of 10",
+                     "Screening");
   section.resize(260, 40);
   section.show();
   const auto shown = section.findChild<QLabel*>("summary_3")->text();

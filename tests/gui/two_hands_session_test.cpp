@@ -239,7 +239,6 @@ TEST_F(BothInWindows, AWholeSessionGoesFromBothZerosThroughRestAndMaximaToOneFor
       << view().sentence;
   keep_picture(windows_.therapist(), "both_zero");
   operator_.press("zero");
-  operator_.press("zero_confirmed");
   ASSERT_TRUE(wait_until([&] { return view().situation == Situation::check_platforms; }))
       << view().sentence;
   EXPECT_EQ(view().next(), Step::zero);
@@ -347,7 +346,6 @@ TEST_F(BothInWindows, EveryPageHoldsItsWordsInEveryLanguage) {
     ASSERT_TRUE(wait_until([&] { return windows.presenter().flow().view().may_zero; }));
     therapist.press("zero");
     keep("4_zero");
-    therapist.press("zero_confirmed");
     const auto& view = windows.presenter().flow().view();
     ASSERT_TRUE(wait_until([&] { return view.situation == Situation::check_platforms; }));
     keep("5_crosstalk");

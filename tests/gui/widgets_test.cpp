@@ -179,7 +179,8 @@ TEST_F(TherapistWindowTest, ExactlyTheNextButtonIsHighlighted) {
   const auto highlighted = [&] {
     QStringList names;
     for (auto* button : windows_.therapist().findChildren<QPushButton*>())
-      if (button->isEnabled() && button->isVisible() && button->property("next").toBool())
+      if (button->isEnabled() && button->isVisible() &&
+          !button->property("next").toString().isEmpty())
         names.append(button->objectName());
     return names;
   };

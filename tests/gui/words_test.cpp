@@ -151,6 +151,35 @@ TEST(History, TheNewestTaskStandsFirst) {
   EXPECT_EQ(series[0].points[0].task_name, "Sine");
 }
 
+TEST(History, LastTimeIsTheNewestComparableTrialOfAnEarlierSession) {
+  const auto in_session = [](storage::RowId session, storage::RowId trial, double value) {
+    auto made = point(trial, "Sine", "rmse", Hand::right, false);
+    made.session_id = session;
+    made.measure.value = value;
+    return made;
+  };
+  std::vector points{in_session(1, 1, 1.0), in_session(2, 2, 2.0), in_session(2, 3, 3.0),
+                     in_session(2, 4, 4.0), in_session(2, 5, 5.0), in_session(3, 6, 6.0)};
+  points[3].practice = true;
+  points[4].helped = true;
+  const auto series = sort_history(points);
+  const Measure rmse = points[0].measure;
+  const auto value = [&](const TrialLike& like) {
+    const auto* before = last_time(series, like, rmse);
+    return before == nullptr ? std::nullopt : before->measure.value;
+  };
+  TrialLike like{3, "Sine", 1, Hand::right, false};
+  EXPECT_EQ(value(like), 3.0) << "neither practice nor help, nor today";
+  like.session_id = 2;
+  EXPECT_EQ(value(like), 1.0);
+  like.session_id = 1;
+  EXPECT_EQ(value(like), std::nullopt) << "the first time";
+  for (const TrialLike& other :
+       {TrialLike{3, "Sine", 2, Hand::right, false}, TrialLike{3, "Sine", 1, Hand::left, false},
+        TrialLike{3, "Sine", 1, Hand::right, true}, TrialLike{3, "Step", 1, Hand::right, false}})
+    EXPECT_EQ(value(other), std::nullopt) << "another version, hand, source or task";
+}
+
 TEST(Words, AMeasureWithoutValueSaysWhy) {
   Measure measure;
   measure.name = "lag";

@@ -101,6 +101,20 @@ TEST_F(Pages, ArePaintedOnAnyPagedDeviceWithItsOwnResolution) {
   }
 }
 
+TEST_F(Pages, ThatOfThePatientIsTheLastOneAndIsPrintedAlone) {
+  const ReportPages pages(content());
+  ASSERT_EQ(pages.patient_page(), pages.pages() - 1);
+  QBuffer file;
+  file.open(QIODevice::WriteOnly);
+  QPdfWriter device(&file);
+  device.setPageSize(QPageSize(QPageSize::A4));
+  PagePrinter printer(pages, device, *pages.patient_page());
+  while (!printer.complete()) ASSERT_TRUE(printer.paint_next());
+  EXPECT_EQ(printer.steps_done(), pages.steps(*pages.patient_page()));
+  EXPECT_EQ(file.data().count("/Type /Page\n"), 1);
+  EXPECT_EQ(ReportPages(ReportContent{}).patient_page(), std::nullopt) << "nothing is stored";
+}
+
 TEST_F(Pages, AreNotPaintedOnADeviceThatTakesNothing) {
   const ReportPages pages(content());
   QPdfWriter device(QStringLiteral("/no/such/folder/report.pdf"));

@@ -56,7 +56,6 @@ class ClinicDesk : public testing::Test {
   void open_session() {
     ASSERT_NO_FATAL_FAILURE(connect());
     ASSERT_TRUE(desktop_.click("zero"));
-    ASSERT_TRUE(desktop_.click("zero_confirmed"));
   }
   /// … to a trial of which whole seconds are in the file.
   void open_trial() {

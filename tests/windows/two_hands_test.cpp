@@ -18,7 +18,7 @@ TEST_F(BothHandsDesk, GoTheWholeWayFromTheFirstClickToAStoredSessionAndStatusZer
        {"add_patient", "hand_both", "left_screening_clear", "right_screening_clear"})
     ASSERT_TRUE(desktop_.click(button)) << button;
   ASSERT_TRUE(desktop_.choose("platforms_left", "Simulated, left hand paretic"));
-  for (const char* button : {"connect", "zero", "zero_confirmed", "crosstalk_skip"})
+  for (const char* button : {"connect", "zero", "crosstalk_skip"})
     ASSERT_TRUE(desktop_.click(button)) << button;
   ASSERT_TRUE(wait_for_words("press the pedal")) << words_on("sentence");
   desktop_.key("F8");  // Start: nothing begins
@@ -35,7 +35,7 @@ TEST_F(BothHandsDesk, GoTheWholeWayFromTheFirstClickToAStoredSessionAndStatusZer
   ASSERT_TRUE(wait_for_words("Recording: Two hands, together")) << words_on("sentence");
   desktop_.keep_picture("two_hands_together");
   ASSERT_TRUE(wait_for_words("The protocol is finished")) << words_on("sentence");
-  ASSERT_TRUE(desktop_.click("end_disconnect"));
+  ASSERT_TRUE(desktop_.click("closing_end"));
   ASSERT_TRUE(desktop_.wait_until([this] {
     return stored("SELECT sum(ended_utc <> '') FROM sessions") == "1\n";
   })) << desktop_.seen();

@@ -158,6 +158,17 @@ void replace_text(soci::session& sql, const StoredText& stored, const std::strin
       soci::use(text), soci::use(stored.row);
 }
 
+namespace {
+
+/// As programs write it since texts are bound to rows.
+void call_by_its_kind(soci::session& sql, const StoredText& of_the_program) {
+  const std::string kind = kCorrectionEvent;
+  sql << "UPDATE main.events SET kind = :kind WHERE id = :row", soci::use(kind),
+      soci::use(of_the_program.row);
+}
+
+}  // namespace
+
 void bind_texts_to_rows(Database& database, const LoginState& state) {
   if (!state.is_protected()) return;
   soci::session& sql = database.sql();
@@ -167,9 +178,7 @@ void bind_texts_to_rows(Database& database, const LoginState& state) {
   const auto bind = [&](const SealedColumn& column, const Secret& key) {
     for (const StoredText& stored : stored_texts(sql, column)) {
       if (is_of_the_program(stored)) {
-        const std::string kind = kCorrectionEvent;
-        sql << "UPDATE main.events SET kind = :kind WHERE id = :row", soci::use(kind),
-            soci::use(stored.row);
+        call_by_its_kind(sql, stored);
         continue;
       }
       const auto opened =
@@ -180,6 +189,46 @@ void bind_texts_to_rows(Database& database, const LoginState& state) {
   };
   for (const SealedColumn& column : sealed_column::kAll) bind(column, login.keys->text);
   bind(sealed_column::kIdentity, login.keys->identity);
+}
+
+void bind_notes_to_rows(Database& database, const LoginState& state, std::span<const RowId> added) {
+  if (!state.is_protected()) return;
+  soci::session& sql = database.sql();
+  const Login login = state.login();
+  if (!login.keys || login.keys->text.empty())
+    throw Refusal{refusal_of(state, Right::read_texts, database.path())};
+  const Secret& key = login.keys->text;
+  const auto is_added = [added](RowId row) { return std::ranges::find(added, row) != added.end(); };
+  const std::vector<StoredText> all = stored_texts(sql, sealed_column::kEventText);
+  const auto is_there = [&](const StoredText& note, std::string_view text) {
+    return std::ranges::any_of(all, [&](const StoredText& other) {
+      if (is_added(other.row) || other.place.row != note.place.row) return false;
+      const auto said = unseal(key, bound_to(state, other.place), other.text);
+      return said && said->text() == text;
+    });
+  };
+  const auto remove = [&sql](RowId row) {
+    sql << "DELETE FROM main.events WHERE id = :row", soci::use(row);
+  };
+  for (const StoredText& note : all) {
+    if (!is_added(note.row)) continue;
+    if (is_of_the_program(note)) {
+      call_by_its_kind(sql, note);
+      int there = 0;
+      sql << "SELECT EXISTS (SELECT 1 FROM main.events a JOIN main.events b ON b.session_id = "
+             "a.session_id AND b.trial_id IS a.trial_id AND b.session_time_s = a.session_time_s "
+             "AND b.kind = a.kind AND b.text = a.text AND b.id < a.id WHERE a.id = :row)",
+          soci::use(note.row), soci::into(there);
+      if (there != 0) remove(note.row);
+      continue;
+    }
+    const auto opened = unseal(key, bound_to(state, note.place, kBoundToRowFormat - 1), note.text);
+    if (!opened) continue;
+    if (is_there(note, opened->text()))
+      remove(note.row);
+    else
+      replace_text(sql, note, seal(key, bound_to(state, note.place), opened->text()));
+  }
 }
 
 }  // namespace isograsp::storage

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -96,5 +97,9 @@ void replace_text(soci::session& sql, const StoredText& stored, const std::strin
 /// it and bound to its row. Throws a Refusal where one cannot be opened. @pre a transaction is
 /// open, somebody is logged in who may read texts
 void bind_texts_to_rows(Database& database, const LoginState& state);
+
+/// The same of events `added` that an emergency file of a format before has brought: what does not
+/// open so stays as it is, and what `database` had already is not added. @pre as above
+void bind_notes_to_rows(Database& database, const LoginState& state, std::span<const RowId> added);
 
 }  // namespace isograsp::storage

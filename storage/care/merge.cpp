@@ -13,6 +13,7 @@
 #include "storage/access/audit_chain.hpp"
 #include "storage/access/open_store.hpp"
 #include "storage/access/proof.hpp"
+#include "storage/access/sealed_text.hpp"
 #include "storage/care/merge_tables.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
 
@@ -60,8 +61,31 @@ void make_room(soci::session& sql, const EmergencyMerge& emergency) {
   }
 }
 
-MergeReport merge(soci::session& sql, std::span<const std::string> same_patients,
-                  const Hashes& ours, const Hashes& theirs, const EmergencyMerge* emergency) {
+/// Its notes were sealed as programs of before did it. An emergency file has no key, so its
+/// migration has left them so; its log says what it was.
+bool is_of_older_format(soci::session& sql) {
+  int migrations = 0;
+  sql << "SELECT count(*) FROM other.audit_log WHERE act = 'migrate' AND result = 'done' AND "
+         "detail LIKE 'from format %' AND CAST(substr(detail, 13) AS INTEGER) < :format",
+      soci::use(kBoundToRowFormat), soci::into(migrations);
+  return migrations > 0;
+}
+
+std::vector<RowId> added_events(soci::session& sql) {
+  std::vector<RowId> added;
+  RowId here = 0;
+  soci::statement select =
+      (sql.prepare << "SELECT here FROM temp.numbers WHERE name = 'events' AND added",
+       soci::into(here));
+  select.execute();
+  while (select.fetch()) added.push_back(here);
+  return added;
+}
+
+MergeReport merge(Database& database, const LoginState& state,
+                  std::span<const std::string> same_patients, const Hashes& ours,
+                  const Hashes& theirs, const EmergencyMerge* emergency) {
+  soci::session& sql = database.sql();
   MergeReport report;
   if (emergency != nullptr) make_room(sql, *emergency);
   sql << "CREATE TEMP TABLE hashes (file TEXT NOT NULL, id INTEGER NOT NULL, blake2b BLOB NOT "
@@ -85,6 +109,8 @@ MergeReport merge(soci::session& sql, std::span<const std::string> same_patients
     copy_rows(sql, table);
   }
   copy_parts(sql);
+  if (emergency != nullptr && is_of_older_format(sql))
+    bind_notes_to_rows(database, state, added_events(sql));
   const auto count = [&sql](const char* which) {
     int number = 0;
     sql << "SELECT count(*) FROM temp.numbers WHERE " + std::string(which), soci::into(number);
@@ -161,7 +187,7 @@ Result<MergeReport> merge_databases(const std::string& into, const std::string& 
   AuditEntry entry = entry_of("merge", std::filesystem::path(from).filename());
   const auto work = [&] {
     return database->transact("merging"_text, [&] {
-      report = merge(database->sql(), same_patients, *ours, *theirs, emergency);
+      report = merge(*database, *state, same_patients, *ours, *theirs, emergency);
       if (!report.conflicts.empty())
         throw Refusal{failed("the files do not agree"_text, {}).at(from)};
     });

@@ -111,10 +111,10 @@ Result<void> open_for(Access::Parts& parts, SlotOwner owner, const Secret& passw
   const Login before = parts.login->login();
   parts.login->set({std::make_shared<const Keys>(*std::move(keys)), owner.user, false});
   parts.notices = notices_of_head(parts.database, *parts.login);
-  if (!proved->empty())
+  if (!proved->of_texts.empty())
     parts.notices.push_back(
         "names or notes were changed by another program: %1 (run isograsp db check)"_text(
-            proved->front()));
+            proved->of_texts.front()));
   if (may(owner.user.role, Right::manage) && !has_recovery_key(parts))
     parts.notices.push_back(
         "there is no recovery key: if the passphrase is lost, so is what is sealed; make one with isograsp db recovery-key"_text);
@@ -123,6 +123,7 @@ Result<void> open_for(Access::Parts& parts, SlotOwner owner, const Secret& passw
   auto logged = audited(parts.database, *parts.login, entry, [&] {
     return parts.database.transact("logging in"_text, [&] {
       soci::session& sql = parts.database.sql();
+      if (proved->to_keep) parts.database.seals()->keep_summary(*proved->to_keep);
       forget_wrong(sql, slot->id);
       if (owner.kind == SlotKind::user)
         sql << "UPDATE users SET pin_failed_count = 0 WHERE id = :id", soci::use(owner.user.id);

@@ -286,15 +286,19 @@ Result<void> Access::switch_user(const std::string& name, const Secret& pin) {
                      check->data()[check->size() - 1] == 0 &&
                      crypto_pwhash_str_verify(reinterpret_cast<const char*>(check->data()),
                                               pin.text().data(), pin.size()) == 0;
-  if (right)
-    if (const auto proved = prove_accounts(parts_->database, before.keys->audit); !proved)
-      return proved.error();
+  std::optional<ProvedSeals> to_keep;
+  if (right) {
+    const auto proved = prove_accounts(parts_->database, before.keys->audit);
+    if (!proved) return proved.error();
+    to_keep = proved->to_keep;
+  }
   parts_->login->count_pin(user->id, right);
   AuditEntry entry = entry_of("switch user", user->name);
   if (!right) entry.result = "refused";
   if (right) parts_->login->set({before.keys, user, false});
   auto logged = audited(parts_->database, *parts_->login, entry, [&] {
     return parts_->database.transact("changing the user"_text, [&] {
+      if (to_keep) parts_->database.seals()->keep_summary(*to_keep);
       const int count = right ? 0 : failed_count + 1;
       parts_->database.sql() << "UPDATE users SET pin_failed_count = :count WHERE id = :id",
           soci::use(count), soci::use(user->id);

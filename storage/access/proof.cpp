@@ -2,7 +2,6 @@
 #include "storage/access/proof.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 #include "storage/access/audit_chain.hpp"
@@ -39,25 +38,24 @@ Result<void> prove(Database& database, const LoginState& state) {
       .at(database.path());
 }
 
-Result<std::vector<Text>> prove_accounts(Database& database, const Secret& key) {
-  std::vector<Text> of_texts;
-  if (database.format() < schema::kSealFormat) return of_texts;
-  // Of events nothing older can be put back: they are neither changed nor removed.
-  constexpr std::array<std::string_view, 7> kOfTexts{
-      "clinical_scores",  "consents",       "identities",     "patient_profiles",
-      "primary_measures", "stable_periods", "treatment_marks"};
-  std::vector<std::string_view> tables{"key_slots", "users"};
-  tables.insert(tables.end(), kOfTexts.begin(), kOfTexts.end());
-  const auto problems = seal_problems(database, &key, tables);
+Result<AccountProof> prove_accounts(Database& database, const Secret& key) {
+  AccountProof proof;
+  if (database.format() < schema::kSealFormat) return proof;
+  const auto in_sum = are_as_sealed_in_sum(database, &key);
+  if (!in_sum) return in_sum.error();
+  if (*in_sum) return proof;
+  std::vector<std::string_view> tables(kTablesOfAccounts.begin(), kTablesOfAccounts.end());
+  tables.insert(tables.end(), kTablesOfTexts.begin(), kTablesOfTexts.end());
+  const auto problems = seal_problems(database, &key, tables, &proof.to_keep);
   if (!problems) return problems.error();
   for (const SealProblem& one : *problems) {
-    if (std::ranges::find(kOfTexts, one.table) == kOfTexts.end())
+    if (std::ranges::find(kTablesOfTexts, one.table) == kTablesOfTexts.end())
       return failed("accounts or seals were changed by another program: %1"_text(one.what),
                     "put back the last backup: isograsp db restore"_text)
           .at(database.path());
-    of_texts.push_back(one.what);
+    proof.of_texts.push_back(one.what);
   }
-  return of_texts;
+  return proof;
 }
 
 Result<void> prove_file(const std::string& path) {

@@ -112,12 +112,13 @@ std::vector<SealedTable> sealed_tables(soci::session& sql) {
         continue;
       if (all.empty() || all.back().name != table) {
         finish();
-        all.push_back({table, {}, {}, {}});
+        all.push_back({table, {}, {}, -1, {}});
       }
       const bool left_out = std::any_of(kNotSealed.begin(), kNotSealed.end(), [&](const auto& one) {
         return one.first == table && one.second == column;
       });
       if (in_key > 0) key[in_key] = static_cast<int>(all.back().columns.size());
+      if (column == "patient_id") all.back().person = static_cast<int>(all.back().columns.size());
       all.back().columns.push_back({column, !left_out});
     }
     finish();
@@ -145,6 +146,22 @@ ContentHash hash_of_row(const Secret* key, const SealedTable& table, std::string
   whole.add_text(table.name);
   whole.add(said);
   return whole.hash();
+}
+
+std::optional<std::string> salt_of_person(soci::session& sql, std::int64_t person) {
+  Statement select(sql, "SELECT salt FROM main.patients WHERE id = ?");
+  select.bind(1, person);
+  if (!select.next()) return std::nullopt;
+  std::string salt;
+  add_value(salt, select.value(0));
+  select.reset();
+  return salt;
+}
+
+std::string salt_of_nobody() {
+  std::string salt;
+  add_value(salt, {SQLITE_NULL, 0, {}});
+  return salt;
 }
 
 std::string key_part(const RowValue& value) {

@@ -4,7 +4,9 @@
 // here. Inside storage/ only.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +30,7 @@ struct SealedTable {
   std::string name;
   std::vector<Column> columns;
   std::vector<int> key;  ///< columns of the primary key, in its order
+  int person = -1;       ///< column patient_id; -1: it has none
   /// SQL: the random number of the person to whom row `t` belongs. Who does not have it cannot
   /// guess a row from its hash; it goes with the person.
   std::string salt;
@@ -43,6 +46,9 @@ void add_value(std::string& said, const RowValue& value);
 /// `said`: what the row says, and at its end the salt. Nothing as key: everybody can make it.
 [[nodiscard]] ContentHash hash_of_row(const Secret* key, const SealedTable& table,
                                       std::string_view said);
+/// The salt of a person as it is said; nothing: there is nobody of this number.
+[[nodiscard]] std::optional<std::string> salt_of_person(soci::session& sql, std::int64_t person);
+[[nodiscard]] std::string salt_of_nobody();  ///< of rows that belong to no person
 /// As it stands in a RowKey.
 [[nodiscard]] std::string key_part(const RowValue& value);
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <string_view>
 
 #include <soci/soci.h>
@@ -32,13 +31,6 @@ RowValue as_told(sqlite3_value* value) {
     }
   }
   return one;
-}
-
-/// 0: it is none.
-std::int64_t number_in(std::string_view text) {
-  std::int64_t number = 0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-  return read.ptr == text.data() + text.size() ? number : 0;
 }
 
 }  // namespace
@@ -83,9 +75,18 @@ struct SealHook {
       return;
     }
     using Touched = RowSeals::Touched;
-    Touched touched{act == SQLITE_INSERT ? Touched::Act::added : Touched::Act::removed, ""};
+    Touched touched{Touched::Act::added, "", 0};
+    if (act != SQLITE_INSERT && table.person >= 0)
+      touched.person =
+          static_cast<std::int64_t>(value_of(connection, table.person, sqlite3_preupdate_old).bits);
+    if (act == SQLITE_DELETE) {
+      touched.act = Touched::Act::removed;
+      if (is_compared_at_login(table.name))
+        touched.said = said_by(connection, table, sqlite3_preupdate_old);
+    }
     if (act == SQLITE_UPDATE) {
-      touched = {Touched::Act::changed, said_by(connection, table, sqlite3_preupdate_old)};
+      touched.act = Touched::Act::changed;
+      touched.said = said_by(connection, table, sqlite3_preupdate_old);
       // A wrong password was counted, no more.
       if (table.has_unsealed() && said_by(connection, table, sqlite3_preupdate_new) == touched.said)
         return;
@@ -96,7 +97,6 @@ struct SealHook {
 
 RowSeals::RowSeals(soci::session& sql) : sql_(sql), tables_(sealed_tables(sql)) {
   readers_.resize(tables_.size());
-  highest_.resize(tables_.size());
   sqlite3_preupdate_hook(connection_of(sql_), SealHook::on_change, this);
 }
 
@@ -145,21 +145,84 @@ std::string RowSeals::last_hash(std::size_t table, const RowKey& row) {
   return hash;
 }
 
-void RowSeals::catch_up() {
-  if (!later_lines_)
-    later_lines_ = std::make_unique<Statement>(
-        sql_, "SELECT id, of_table, of_row FROM main.row_seals WHERE id > ? ORDER BY id");
-  later_lines_->bind(1, noted_);
-  while (later_lines_->next()) {
-    noted_ = later_lines_->number(0);
-    if (const auto table = index_of(later_lines_->bytes(1)))
-      highest_[*table] = std::max(highest_[*table], number_in(later_lines_->bytes(2)));
+SealSummary RowSeals::summary_of(const SealAnchor& anchor, const Secret* key) {
+  if (!anchor.summary.empty() && is_of_last_line(sql_, key, anchor))
+    if (auto known = read_summary(anchor.summary)) return *std::move(known);
+  Statement later(sql_, "SELECT id, of_table, of_row FROM main.row_seals WHERE id > ? ORDER BY id");
+  later.bind(1, noted_lines_);
+  while (later.next()) {
+    noted_lines_ = later.number(0);
+    noted_.note(later.bytes(1), later.bytes(2));
   }
+  return noted_;
 }
 
-bool RowSeals::was_sealed(std::size_t table, const RowKey& row) {
+bool RowSeals::was_sealed(const SealSummary& before, std::size_t table, const RowKey& row) {
   // Of another kind of key (a place in a session, a name) nothing new is ever given.
-  return row.size() == 1 && number_in(row[0]) <= highest_[table] && !last_hash(table, row).empty();
+  if (row.size() != 1) return false;
+  const auto highest = before.highest.find(tables_[table].name);
+  return highest != before.highest.end() && number_of_row(row[0]) <= highest->second &&
+         !last_hash(table, row).empty();
+}
+
+RowHashes RowSeals::last_hashes(std::size_t table) {
+  Statement lines(sql_, "SELECT of_row, hash FROM main.row_seals WHERE of_table = ? ORDER BY id");
+  lines.bind_text(1, tables_[table].name);
+  RowHashes last;
+  while (lines.next()) {
+    const std::string row(lines.bytes(0));
+    if (lines.bytes(1).empty())
+      last.erase(row);
+    else
+      last[row] = lines.bytes(1);
+  }
+  return last;
+}
+
+std::optional<RowHashes> RowSeals::hashes_now(std::size_t table, const Secret* key) {
+  for (const auto& [index, row] : changed_by_triggers_)
+    if (index == table) return std::nullopt;
+  RowHashes hashes;
+  RowReader reader(sql_, tables_[table], RowReader::Which::all);
+  while (reader.next()) hashes[key_text(reader.key())] = bytes_of(reader.hash(key));
+  return hashes;
+}
+
+std::optional<RowHashes> RowSeals::hashes_before(std::size_t table, const Secret* key) {
+  auto hashes = hashes_now(table, key);
+  if (!hashes) return std::nullopt;
+  const SealedTable& of = tables_[table];
+  for (auto one = touched_.lower_bound({table, {}});
+       one != touched_.end() && one->first.first == table; ++one) {
+    const auto& [place, touched] = *one;
+    const std::string row = key_text(place.second);
+    hashes->erase(row);
+    if (touched.act == Touched::Act::added) continue;
+    // Gone with the person who was erased, or the row belongs to nobody.
+    const auto salt = of.person < 0 ? salt_of_nobody() : salt_of_person(sql_, touched.person);
+    if (!salt) return std::nullopt;
+    hashes->emplace(row, bytes_of(hash_of_row(key, of, touched.said + *salt)));
+  }
+  return hashes;
+}
+
+std::set<std::size_t> RowSeals::sound_before(const SealSummary& before, const Secret* key) {
+  std::set<std::size_t> sound;
+  for (std::size_t i = 0; i < tables_.size(); ++i) {
+    const std::string& name = tables_[i].name;
+    if (!is_compared_at_login(name)) continue;
+    const auto first = touched_.lower_bound({i, {}});
+    if (first == touched_.end() || first->first.first != i) continue;
+    const auto hashes = hashes_before(i, key);
+    if (!hashes) continue;
+    const auto digest = before.digests.find(name);
+    // Where nothing is protected no login will sum up what the lines say.
+    const bool same = digest != before.digests.end()
+                          ? digest->second == digest_of(key, name, *hashes)
+                          : key == nullptr && last_hashes(i) == *hashes;
+    if (same) sound.insert(i);
+  }
+  return sound;
 }
 
 bool RowSeals::is_as_sealed(std::string_view table, const RowKey& row) {
@@ -174,46 +237,74 @@ bool RowSeals::is_as_sealed(std::string_view table, const RowKey& row) {
 void RowSeals::seal() {
   if (touched_.empty()) return;
   const Secret* const key_now = key();
-  catch_up();
   SealWriter writer(sql_, key_now);
+  SealSummary summary = summary_of(writer.anchor(), key_now);
+  const std::set<std::size_t> sound = sound_before(summary, key_now);
+  const SealSummary before = summary;
   for (const auto& [place, touched] : touched_) {
-    if (changed_by_triggers_.contains(place)) continue;
     const auto& [index, row] = place;
     const SealedTable& table = tables_[index];
+    if (!sound.contains(index)) summary.digests.erase(table.name);
+    if (changed_by_triggers_.contains(place)) continue;
     RowReader& reader = reader_of(index);
     const bool present = reader.find(row);
     const ContentHash hash = present ? reader.hash(key_now) : ContentHash{};
     const std::string salt = present ? reader.salt() : "";
     reader.done();
-    if (present && touched.act == Touched::Act::changed &&
-        last_hash(index, row) != bytes_of(hash_of_row(key_now, table, touched.said + salt)))
-      continue;
-    if (present && touched.act == Touched::Act::added && was_sealed(index, row)) continue;
+    if (present && !sound.contains(index)) {
+      if (touched.act == Touched::Act::changed &&
+          last_hash(index, row) != bytes_of(hash_of_row(key_now, table, touched.said + salt)))
+        continue;
+      if (touched.act == Touched::Act::added && was_sealed(before, index, row)) continue;
+    }
     writer.add(table.name, key_text(row), present ? &hash : nullptr);
+    summary.note(table.name, key_text(row));
   }
-  writer.finish();
+  for (const std::size_t index : sound)
+    summary.digests[tables_[index].name] =
+        digest_of(key_now, tables_[index].name, hashes_now(index, key_now).value());
+  writer.finish(summary);
   touched_.clear();
 }
 
 void RowSeals::seal_all() {
   const Secret* const key_now = key();
   SealWriter writer(sql_, key_now);
+  SealSummary summary = summary_of(writer.anchor(), key_now);
+  summary.digests.clear();
   for (std::size_t i = 0; i < tables_.size(); ++i) {
+    const std::string& name = tables_[i].name;
+    RowHashes hashes;
     RowReader reader(sql_, tables_[i], RowReader::Which::all);
     while (reader.next()) {
       const RowKey row = reader.key();
       if (changed_by_triggers_.contains({i, row})) continue;
       const ContentHash hash = reader.hash(key_now);
-      writer.add(tables_[i].name, key_text(row), &hash);
+      writer.add(name, key_text(row), &hash);
+      summary.note(name, key_text(row));
+      if (is_compared_at_login(name)) hashes[key_text(row)] = bytes_of(hash);
     }
+    if (is_compared_at_login(name)) summary.digests[name] = digest_of(key_now, name, hashes);
   }
-  writer.finish(true);
+  writer.finish(summary, true);
   touched_.clear();
+}
+
+void RowSeals::keep_summary(const ProvedSeals& proved) {
+  auto anchor = read_anchor(sql_);
+  const Secret* const key_now = key();
+  if (!anchor || anchor->count != proved.lines || anchor->chain != proved.chain ||
+      !is_of_last_line(sql_, key_now, *anchor))
+    return;
+  anchor->summary = written(proved.summary);
+  anchor->proof = seal_proof(key_now, *anchor);
+  write_anchor(sql_, *anchor);
 }
 
 void RowSeals::rolled_back() noexcept {
   end_transaction();
-  noted_ = 0;  // their lines may have been among them
+  noted_ = {};  // their lines may have been among them
+  noted_lines_ = 0;
 }
 
 void RowSeals::end_transaction() noexcept {

@@ -26,20 +26,48 @@ std::string chain_of(const Secret* key, const std::string& before, const SealLin
   return std::string(bytes_of(whole.hash()));
 }
 
-std::string seal_proof(const Secret* key, std::int64_t count, const std::string& chain) {
+std::string seal_proof(const Secret* key, const SealAnchor& anchor) {
   ContentHasher whole(key_bytes(key));
-  whole.add_text("IsoGrasp seals 1");
-  whole.add_number(static_cast<std::uint64_t>(count));
-  whole.add_text(chain);
+  whole.add_text(anchor.summary.empty() ? "IsoGrasp seals 1" : "IsoGrasp seals 2");
+  whole.add_number(static_cast<std::uint64_t>(anchor.count));
+  whole.add_text(anchor.chain);
+  if (!anchor.summary.empty()) whole.add_text(anchor.summary);
   return std::string(bytes_of(whole.hash()));
+}
+
+bool proves(const Secret* key, const SealAnchor& anchor) {
+  return anchor.proof == seal_proof(key, anchor);
 }
 
 std::optional<SealAnchor> read_anchor(soci::session& sql) {
   Statement select(sql, "SELECT count, chain, proof FROM main.row_seals_anchor WHERE id = 1");
   if (!select.next()) return std::nullopt;
-  SealAnchor anchor{select.number(0), std::string(select.bytes(1)), std::string(select.bytes(2))};
+  const std::string_view proof = select.bytes(2);
+  const std::size_t own = std::min(proof.size(), ContentHash{}.size());
+  SealAnchor anchor{select.number(0), std::string(select.bytes(1)),
+                    std::string(proof.substr(0, own)), std::string(proof.substr(own))};
   select.reset();
   return anchor;
+}
+
+bool is_of_last_line(soci::session& sql, const Secret* key, const SealAnchor& anchor) {
+  if (!proves(key, anchor)) return false;
+  Statement last(sql, "SELECT id, chain FROM main.row_seals ORDER BY id DESC LIMIT 1");
+  const bool same = last.next() ? last.number(0) == anchor.count && last.bytes(1) == anchor.chain
+                                : anchor.count == 0;
+  last.reset();
+  return same;
+}
+
+void write_anchor(soci::session& sql, const SealAnchor& anchor) {
+  Statement write(sql,
+                  "INSERT INTO row_seals_anchor (id, count, chain, proof) VALUES (1, ?, ?, ?) "
+                  "ON CONFLICT (id) DO UPDATE SET count = excluded.count, chain = excluded.chain, "
+                  "proof = excluded.proof");
+  write.bind(1, anchor.count);
+  write.bind_bytes(2, anchor.chain);
+  write.bind_bytes(3, anchor.proof + anchor.summary);
+  write.run();
 }
 
 SealHead seal_head(soci::session& sql) {
@@ -78,18 +106,14 @@ void SealWriter::add(const std::string& table, const std::string& row, const Con
   insert_.run();
 }
 
-void SealWriter::finish(bool anew) {
-  const bool proved = anew || anchor_.proof.empty() ||
-                      anchor_.proof == seal_proof(key_, anchor_.count, anchor_.chain);
-  const std::string proof = proved ? seal_proof(key_, line_.number, line_.chain) : anchor_.proof;
-  Statement anchor(sql_,
-                   "INSERT INTO row_seals_anchor (id, count, chain, proof) VALUES (1, ?, ?, ?) "
-                   "ON CONFLICT (id) DO UPDATE SET count = excluded.count, chain = excluded.chain, "
-                   "proof = excluded.proof");
-  anchor.bind(1, line_.number);
-  anchor.bind_bytes(2, line_.chain);
-  anchor.bind_bytes(3, proof);
-  anchor.run();
+void SealWriter::finish(const SealSummary& summary, bool anew) {
+  const bool proved = anew || anchor_.proof.empty() || proves(key_, anchor_);
+  SealAnchor anchor{line_.number, line_.chain, anchor_.proof, anchor_.summary};
+  if (proved) {
+    anchor.summary = written(summary);
+    anchor.proof = seal_proof(key_, anchor);
+  }
+  write_anchor(sql_, anchor);
 }
 
 }  // namespace isograsp::storage

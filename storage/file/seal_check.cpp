@@ -34,6 +34,7 @@ class SealProof {
     std::int64_t expected = 1;
     bool keyed = false;
     read_lines([&](const SealLine& one) {
+      lines_.summary.note(one.table, one.row);
       if (one.number != expected)
         add("row_seals", "row_seals: rows %1 to %2 are missing"_text(expected, one.number - 1));
       else if (key_ != nullptr && !keyed && chain_of(nullptr, before, one) == one.chain) {
@@ -48,7 +49,12 @@ class SealProof {
       before = one.chain;
       expected = one.number + 1;
     });
-    prove_anchor(expected - 1, before);
+    lines_.lines = expected - 1;
+    lines_.chain = before;
+    for (const auto& [table, last] : last_)
+      if (is_compared_at_login(table))
+        lines_.summary.digests[table] = digest_of(key_, table, sorted(last));
+    prove_anchor();
   }
 
   void prove_rows(const SealedTable& table) {
@@ -74,6 +80,9 @@ class SealProof {
       add(table.name, "%1: row %2 is missing"_text(table.name, row));
   }
 
+  /// Of lines that prove.
+  [[nodiscard]] const ProvedSeals& proved() const noexcept { return lines_; }
+
   [[nodiscard]] std::vector<SealProblem> problems() {
     for (const auto& [table, count] : counts_)
       if (count > kMostProblems)
@@ -95,7 +104,26 @@ class SealProof {
     while (select.next()) take({select.number(0), text(1), text(2), text(3), text(4)});
   }
 
-  void prove_anchor(std::int64_t last, const std::string& chain) {
+  static RowHashes sorted(const LastSeals& last) {
+    RowHashes all;
+    for (const auto& [row, hash] : last)
+      if (!hash.empty()) all.emplace(row, hash);
+    return all;
+  }
+
+  /// @pre what a login compares was asked for
+  [[nodiscard]] bool is_sum_of_lines(const SealAnchor& anchor) const {
+    if (anchor.summary.empty()) return true;
+    const auto said = read_summary(anchor.summary);
+    const SealSummary& here = lines_.summary;
+    return said && said->highest == here.highest &&
+           std::ranges::all_of(said->digests, [&](const auto& one) {
+             const auto found = here.digests.find(one.first);
+             return found != here.digests.end() && found->second == one.second;
+           });
+  }
+
+  void prove_anchor() {
     const std::string table = "row_seals_anchor";
     long long other = 0;
     sql_ << "SELECT coalesce(max(id), 0) FROM row_seals_anchor WHERE id <> 1", soci::into(other);
@@ -103,16 +131,19 @@ class SealProof {
     const auto anchor = read_anchor(sql_);
     if (!anchor)
       add(table, "row_seals_anchor: row 1 is missing"_text);
-    else if (anchor->proof != seal_proof(key_, anchor->count, anchor->chain))
+    else if (!proves(key_, *anchor))
       add(table, "row_seals_anchor: row 1 was changed"_text);
-    else if (anchor->count != last || anchor->chain != chain)
+    else if (anchor->count != lines_.lines || anchor->chain != lines_.chain)
       add("row_seals",
-          "row_seals: it ends with row %1, its anchor says %2"_text(last, anchor->count));
+          "row_seals: it ends with row %1, its anchor says %2"_text(lines_.lines, anchor->count));
+    else if (!is_sum_of_lines(*anchor))
+      add(table, "row_seals_anchor: row 1 was changed"_text);
   }
 
   soci::session& sql_;
   const Secret* key_;
   std::map<std::string, LastSeals, std::less<>> last_;
+  ProvedSeals lines_;
   std::map<std::string, std::size_t, std::less<>> counts_;  ///< of problems, by table
   std::vector<SealProblem> problems_;
 };
@@ -120,7 +151,8 @@ class SealProof {
 }  // namespace
 
 Result<std::vector<SealProblem>> seal_problems(Database& database, const Secret* key,
-                                               std::span<const std::string_view> only) {
+                                               std::span<const std::string_view> only,
+                                               std::optional<ProvedSeals>* proved) {
   std::vector<SealProblem> problems;
   const auto done = database.snapshot("checking the seals"_text, [&] {
     std::vector<SealedTable> tables = sealed_tables(database.sql());
@@ -134,9 +166,35 @@ Result<std::vector<SealProblem>> seal_problems(Database& database, const Secret*
     proof.prove_lines();
     for (const SealedTable& table : tables) proof.prove_rows(table);
     problems = proof.problems();
+    if (proved != nullptr && problems.empty()) *proved = proof.proved();
   });
   if (!done) return done.error();
   return problems;
+}
+
+Result<bool> are_as_sealed_in_sum(Database& database, const Secret* key) {
+  bool same = false;
+  const auto done = database.snapshot("checking the seals"_text, [&] {
+    soci::session& sql = database.sql();
+    const auto anchor = read_anchor(sql);
+    if (!anchor || !is_of_last_line(sql, key, *anchor)) return;
+    const auto summary = read_summary(anchor->summary);
+    if (!summary) return;
+    for (const SealedTable& table : sealed_tables(sql)) {
+      if (!is_compared_at_login(table.name)) continue;
+      RowHashes hashes;
+      std::size_t rows = 0;
+      RowReader reader(sql, table, RowReader::Which::all);
+      for (; reader.next(); ++rows) hashes[key_text(reader.key())] = bytes_of(reader.hash(key));
+      const auto digest = summary->digests.find(table.name);
+      if (rows != hashes.size() || digest == summary->digests.end() ||
+          digest->second != digest_of(key, table.name, hashes))
+        return;
+    }
+    same = true;
+  });
+  if (!done) return done.error();
+  return same;
 }
 
 }  // namespace isograsp::storage

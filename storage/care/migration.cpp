@@ -122,8 +122,9 @@ Result<Migration> migrate_database(const std::string& path) {
   Migration migration{opened->format(), ""};
   const auto login = login_at(*opened, true);
   if (!login) return login.error();
-  // Packed trials and texts get new seals: what was changed by another hand would, too.
-  if (migration.from >= schema::kSealFormat)
+  // What is there gets new seals, so what was changed by another hand would, too. A file of today's
+  // that was made to look older has a log whose entries hold seals.
+  if (migration.from >= schema::kAccessFormat)
     if (const auto proved = prove(*opened, **login); !proved) return proved.error();
   if (migration.from == kDatabaseFormat) return pack_all(std::move(*opened), migration);
   const auto lock = RecordingLock::exclusive_if_free(opened->real_path());

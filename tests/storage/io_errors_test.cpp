@@ -9,6 +9,7 @@
 #include "storage/care/backups.hpp"
 #include "storage/care/merge.hpp"
 #include "storage/care/migration.hpp"
+#include "storage/file/database.hpp"
 #include "storage/person/erasure.hpp"
 #include "storage/person/identity.hpp"
 #include "tests/storage/clinic_under_attack.hpp"

@@ -20,6 +20,7 @@
 #include "tasks/aim.hpp"
 #include "tasks/carry_forces.hpp"
 #include "tasks/difficulty.hpp"
+#include "tasks/looks/look.hpp"
 #include "tasks/object_targets.hpp"
 #include "tasks/pace.hpp"
 
@@ -117,6 +118,8 @@ struct KindFacts {
   std::optional<AxisCourse> (*course)(const KindSpec&, double period_s) = nullptr;
   /// Makes a task easier or harder. False: it has nothing of that sort to multiply.
   bool (*multiply)(KindSpec&, Difficulty::Factor factor, double by) = nullptr;
+  /// What training looks can clothe of it.
+  Wardrobe wardrobe = Wardrobe::nothing;
   /// The column that it is about, where that is no force and no object; nullptr: none.
   std::string (*curve)(const KindSpec&) = nullptr;
   /// Efforts that it asks for; nullptr: 1, it goes on without a break.

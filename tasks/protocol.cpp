@@ -54,6 +54,16 @@ void read_bouts(TomlReader& table, ProtocolStep& step) {
   step.bouts = bouts;
 }
 
+void read_step_look(TomlReader& table, ProtocolStep& step) {
+  if (!table.has("look")) return;
+  std::vector<std::string_view> names;
+  for (const LookFacts& one : all_looks()) names.push_back(one.name);
+  step.look = all_looks()[table.choice("look", names)].look;
+  if (!step.adaptive)
+    table.fail("look", "is for training only; an assessment always looks the same"_text,
+               "leave the line out, or write adaptive = true"_text);
+}
+
 ProtocolStep read_step(TomlReader& table) {
   ProtocolStep step;
   step.kind = static_cast<ProtocolStep::Kind>(
@@ -71,6 +81,7 @@ ProtocolStep read_step(TomlReader& table) {
   read_bouts(table, step);
   step.practice = table.boolean("practice", false);
   step.adaptive = table.boolean("adaptive", false);
+  read_step_look(table, step);
   step.recurrence_s = read_wait(table, "recurrence_s", 0.0);
   return step;
 }

@@ -55,6 +55,7 @@ struct ProtocolStep {
   std::optional<Bouts> bouts;  ///< never beside an agreement
   bool practice = false;       ///< recorded, but no assessment
   bool adaptive = false;       ///< training: difficulty follows success
+  std::optional<Look> look;    ///< of that training; nothing: as the task says
   double rest_s = 0.0;         ///< pause after each repetition
   double recurrence_s = 0.0;   ///< the same task begins at the earliest this long after its end
   double duration_s = 0.0;     ///< of a pause

@@ -106,6 +106,25 @@ KindSpec read_kind(TomlReader& reader) {
   return all_kinds()[reader.choice("kind", names)]->read(reader);
 }
 
+/// Whether the kind has what this look draws is asked as well.
+std::optional<Look> read_look(TomlReader& reader, const TaskSpec& spec) {
+  if (!reader.has("look")) return std::nullopt;
+  std::vector<std::string_view> names;
+  for (const LookFacts& one : all_looks()) names.push_back(one.name);
+  const Look look = all_looks()[reader.choice("look", names)].look;
+  if (!fits(look, spec.kind->wardrobe))
+    reader.fail("look", "'%1' does not fit this kind of task"_text(name_of(look)),
+                "choose another look, or leave the line out"_text);
+  return look;
+}
+
+void read_training_look(TomlReader& reader, TaskSpec& spec) {
+  spec.training_look = read_look(reader, spec);
+  if (spec.training_look && !spec.difficulty)
+    reader.fail("look", "is for training only; an assessment always looks the same"_text,
+                "leave the line out, or add a [difficulty] table to make it a training task"_text);
+}
+
 void read_difficulty(TomlReader& reader, TaskSpec& spec) {
   if (!reader.has("difficulty")) return;
   constexpr double kLeastFactor = 0.05;
@@ -124,6 +143,7 @@ void read_difficulty(TomlReader& reader, TaskSpec& spec) {
     TomlReader chosen = reader.table("chosen");
     difficulty.chosen = read_within(chosen, "level", 0.0, 1.0);
     by = std::lerp(difficulty.easiest, difficulty.hardest, *difficulty.chosen);
+    spec.look = read_look(chosen, spec).value_or(Look::plain);
   }
   const auto multiply = spec.kind->multiply;
   if (multiply == nullptr || !multiply(spec.kind, difficulty.factor, by))
@@ -143,8 +163,11 @@ const Questionnaire* read_questionnaire(TomlReader& reader) {
 
 }  // namespace
 
-Result<TaskSpec> at_level(const TaskSpec& spec, double level) {
-  return parse_task(spec.text + "\n[chosen]\nlevel = " + format_number(level) + "\n", spec.file);
+Result<TaskSpec> at_level(const TaskSpec& spec, double level, std::optional<Look> look) {
+  std::string text = spec.text + "\n[chosen]\nlevel = " + format_number(level) + "\n";
+  const Look shown = look.value_or(spec.training_look.value_or(usual_look(spec.kind->wardrobe)));
+  if (shown != Look::plain) text.append("look = \"").append(name_of(shown)).append("\"\n");
+  return parse_task(text, spec.file);
 }
 
 Result<TaskSpec> parse_task(std::string_view text, const std::string& file) {
@@ -159,6 +182,7 @@ Result<TaskSpec> parse_task(std::string_view text, const std::string& file) {
   spec.version = read_count(*reader, "version", 1, kMostVersion);
   spec.kind = read_kind(*reader);
   read_difficulty(*reader, spec);
+  read_training_look(*reader, spec);
   if (reader->has("questionnaire")) spec.questionnaire = read_questionnaire(*reader);
   constexpr double kLongestTask_s = 7200.0;  // a trial is kept in memory while it is scored
   if (spec.duration().worst_s > kLongestTask_s)

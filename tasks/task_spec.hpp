@@ -10,6 +10,7 @@
 
 #include "core/result.hpp"
 #include "tasks/kind_spec.hpp"
+#include "tasks/looks/look.hpp"
 #include "tasks/questions/questionnaire.hpp"
 
 namespace isograsp::tasks {
@@ -20,6 +21,11 @@ struct TaskSpec {
   int version = 1;
   KindSpec kind;
   std::optional<Difficulty> difficulty;
+  /// In which look it trains, as its file asks; nothing: the usual one of its kind.
+  std::optional<Look> training_look;
+  /// What the screen looks like in this trial: plain, unless it is at a level of its difficulty,
+  /// which is never an assessment.
+  Look look = Look::plain;
   const Questionnaire* questionnaire = nullptr;  ///< asked after each trial; null: nothing is
   std::string file;                              ///< where it was read from, for errors
   std::string text;                              ///< the file itself: stored with every trial
@@ -57,9 +63,11 @@ struct TaskSpec {
   [[nodiscard]] int repetitions() const;
 };
 
-/// The task at a level of its difficulty, 0 … 1; the level stands at the end of its text.
+/// The task at a level of its difficulty, 0 … 1, in this look (nothing: the one it trains in);
+/// level and look stand at the end of its text, so that a trial is stored with them.
 /// @pre spec.difficulty
-[[nodiscard]] Result<TaskSpec> at_level(const TaskSpec& spec, double level);
+[[nodiscard]] Result<TaskSpec> at_level(const TaskSpec& spec, double level,
+                                        std::optional<Look> look = {});
 
 [[nodiscard]] Result<TaskSpec> parse_task(std::string_view text, const std::string& file);
 

@@ -46,7 +46,7 @@ void NextWork::look_at_act() {
   if (const auto& act = work.guide.act();
       act && act->kind == session::ProtocolWalk::Act::Kind::trial) {
     auto spec = session::task_of(*act, training);
-    if (spec && act->adaptive) spec = work.at_chosen_level(*spec);
+    if (spec && act->adaptive) spec = work.at_chosen_level(*spec, act->look);
     if (spec)
       work.act_task = *std::move(spec);
     else

@@ -26,10 +26,11 @@ const NoSession& no_session() noexcept {
 
 }  // namespace
 
-Result<tasks::TaskSpec> Work::at_chosen_level(const tasks::TaskSpec& spec) const {
+Result<tasks::TaskSpec> Work::at_chosen_level(const tasks::TaskSpec& spec,
+                                              std::optional<tasks::Look> look) const {
   const auto chosen = levels.find(spec.file);
   if (chosen == levels.end() || !spec.difficulty) return spec;
-  return tasks::at_level(spec, chosen->second);
+  return tasks::at_level(spec, chosen->second, look);
 }
 
 bool TrialQuestions::due() const noexcept {

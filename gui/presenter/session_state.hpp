@@ -212,7 +212,8 @@ struct Work {
   /// The protocol, not the therapist, says what comes.
   [[nodiscard]] bool follows() const noexcept { return guide.active() && !by_hand; }
   /// At the difficulty that the therapist chose; otherwise unchanged.
-  [[nodiscard]] Result<tasks::TaskSpec> at_chosen_level(const tasks::TaskSpec& spec) const;
+  [[nodiscard]] Result<tasks::TaskSpec> at_chosen_level(const tasks::TaskSpec& spec,
+                                                        std::optional<tasks::Look> look = {}) const;
 };
 
 /// Exists as long as the session is open.

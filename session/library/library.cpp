@@ -77,6 +77,11 @@ class ProtocolReader {
                      "add a [difficulty] table to the task, or leave out adaptive"_text)
           .at(ready_.spec.file)
           .about(task_key());
+    if (step.look && !tasks::fits(*step.look, task.kind->wardrobe))
+      return refused("the look '%1' does not fit '%2'"_text(name_of(*step.look), task.name),
+                     "choose another look, or leave the line out"_text)
+          .at(ready_.spec.file)
+          .about("step[" + std::to_string(ready_.tasks.size()) + "].look");
     if (task.kind->measured != nullptr && !rested_)
       return refused(
                  "a maximum is measured above the resting force, which no earlier step measures"_text,

@@ -80,6 +80,7 @@ std::optional<ProtocolWalk::Act> ProtocolWalk::next() const {
       act.task = &protocol_.tasks[item->step][item->task];
       act.practice = step.practice;
       act.adaptive = step.adaptive;
+      act.look = step.look;
       act.place = storage::TrialPlace{static_cast<int>(item->step), static_cast<int>(item->task)};
       act.attempt = item->attempt;
       act.planned = std::max(step.repetitions, item->attempt);
@@ -119,7 +120,7 @@ void ProtocolWalk::left_out(double session_time_s) {
 
 Result<tasks::TaskSpec> task_of(const ProtocolWalk::Act& act, const Training& training) {
   if (!act.adaptive) return *act.task;
-  return tasks::at_level(*act.task, training.level(*act.task));
+  return tasks::at_level(*act.task, training.level(*act.task), act.look);
 }
 
 }  // namespace isograsp::session

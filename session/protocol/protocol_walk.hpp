@@ -20,6 +20,7 @@ class ProtocolWalk {
     const tasks::TaskSpec* task = nullptr;     ///< of a trial, as its file says it
     bool practice = false;                     ///< recorded, but no assessment
     bool adaptive = false;                     ///< at the level that training has reached
+    std::optional<tasks::Look> look = {};      ///< of that; nothing: as the task says
     std::optional<storage::TrialPlace> place;  ///< nothing: set up again after a break
     std::size_t step = 0;                      ///< of the protocol
     int attempt = 1;

@@ -82,6 +82,7 @@ constinit const KindFacts ForceTrackingSpec::kFacts{
     .largest_level = of_kind<force_tracking_level>,
     .waveform = [](const KindSpec& kind) { return &kind.as<ForceTrackingSpec>().waveform; },
     .multiply = multiply<ForceTrackingSpec>,
+    .wardrobe = Wardrobe::curve,
     .repetitions = of_kind<force_tracking_cycles>,
     .segments = of_kind<force_tracking_segments>,
     .measures = of_kind<score_force_tracking>,

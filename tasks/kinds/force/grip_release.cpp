@@ -120,6 +120,7 @@ constinit const KindFacts GripReleaseSpec::kFacts{
     .aim = own_aim<GripReleaseSpec>,
     .largest_level = own_level<GripReleaseSpec>,
     .multiply = multiply<GripReleaseSpec>,
+    .wardrobe = Wardrobe::curve,
     .repetitions = [](const KindSpec& kind) { return kind.as<GripReleaseSpec>().repetitions; },
     .segments = of_kind<grip_release_segments>,
     .measures = of_kind<score_grip_release>,

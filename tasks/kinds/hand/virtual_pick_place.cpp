@@ -322,6 +322,7 @@ constinit const KindFacts VirtualPickPlaceSpec::kFacts{
     .apparatus = "tracked_hand",
     .duration = of_kind<virtual_pick_place_duration>,
     .multiply = multiply_tolerance,
+    .wardrobe = Wardrobe::placed,
     .repetitions = of_kind<virtual_pick_place_count>,
     .make = of_kind<make_virtual_pick_place>,
     .measures = of_kind<score_virtual_pick_place>,

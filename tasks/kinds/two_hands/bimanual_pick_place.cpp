@@ -313,6 +313,7 @@ constinit const KindFacts BimanualPickPlaceSpec::kFacts{
     .tolerance = of_kind<bimanual_pick_place_tolerance>,
     .hands_carry = of_kind<bimanual_pick_place_carry>,
     .multiply = multiply<BimanualPickPlaceSpec>,
+    .wardrobe = Wardrobe::carried,
     .curve = of_kind<bimanual_pick_place_curve>,
     .repetitions = of_kind<bimanual_pick_place_count>,
     .make = of_kind<make_bimanual_pick_place>,

@@ -14,8 +14,8 @@
 
 #include "gui/patient_screen/hand_colours.hpp"
 #include "gui/patient_screen/hand_props.hpp"
-#include "gui/patient_screen/rounded_mesh.hpp"
-#include "gui/patient_screen/scene_nodes.hpp"
+#include "gui/solids/rounded_mesh.hpp"
+#include "gui/solids/scene_nodes.hpp"
 
 namespace isograsp::gui::scene_nodes {
 

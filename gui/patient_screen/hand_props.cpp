@@ -20,7 +20,7 @@
 #include <Inventor/nodes/SoTransform.h>
 
 #include "gui/patient_screen/hand_colours.hpp"
-#include "gui/patient_screen/scene_nodes.hpp"
+#include "gui/solids/scene_nodes.hpp"
 
 namespace isograsp::gui::scene_nodes {
 
@@ -47,15 +47,6 @@ void set_corners(SoCoordinate3* corners, float left, float right, float front, f
   const std::array<SbVec3f, 4> ends{
       SbVec3f(left, y, front), {right, y, front}, {right, y, back}, {left, y, back}};
   corners->point.setValues(0, 4, ends.data());
-}
-
-Scene scene_of(const ObjectShape& shape) {
-  Scene scene;
-  const Vec3 size_m = 2.0 * shape.half_m;
-  const bool box = shape.kind == ObjectShape::Kind::box;
-  scene.shape = box ? Shape::box : Shape::cylinder;
-  scene.size_m = box ? size_m : Vec3(size_m.x(), size_m.z(), 0.0);
-  return scene;
 }
 
 }  // namespace
@@ -175,6 +166,15 @@ SoSeparator* make_foot() {
   disc->height.setValue(0.0008F);
   foot->addChild(disc);
   return foot;
+}
+
+Scene scene_of(const ObjectShape& shape) {
+  Scene scene;
+  const Vec3 size_m = 2.0 * shape.half_m;
+  const bool box = shape.kind == ObjectShape::Kind::box;
+  scene.shape = box ? Shape::box : Shape::cylinder;
+  scene.size_m = box ? size_m : Vec3(size_m.x(), size_m.z(), 0.0);
+  return scene;
 }
 
 SoNode* make_body(const ObjectShape& shape) {

@@ -9,6 +9,7 @@
 #include <Inventor/SbColor.h>
 #include <Inventor/SbLinear.h>
 
+#include "grasp_model/scene.hpp"
 #include "gui/patient_screen/table_shade.hpp"
 #include "gui/picture/hand_picture.hpp"
 
@@ -64,6 +65,8 @@ struct MarkNodes {
 /// Where the drop line of a target meets the table.
 [[nodiscard]] SoSeparator* make_foot();
 
+/// The same body as the object of a scene: a cylinder lies along z.
+[[nodiscard]] Scene scene_of(const virtual_hand::ObjectShape& shape);
 [[nodiscard]] SoNode* make_body(const virtual_hand::ObjectShape& shape);
 /// Edges of a box, rims of a cylinder: each pair of points is a line.
 [[nodiscard]] std::vector<SbVec3f> outline_of(const virtual_hand::ObjectShape& shape);

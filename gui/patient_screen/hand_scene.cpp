@@ -21,8 +21,9 @@
 #include "gui/patient_screen/hand_colours.hpp"
 #include "gui/patient_screen/hand_nodes.hpp"
 #include "gui/patient_screen/hand_props.hpp"
-#include "gui/patient_screen/scene_nodes.hpp"
-#include "gui/patient_screen/scene_view.hpp"
+#include "gui/solids/scene_nodes.hpp"
+#include "gui/solids/scene_view.hpp"
+#include "gui/training_looks/object_forms.hpp"
 
 namespace isograsp::gui {
 
@@ -90,12 +91,13 @@ struct HandScene::Parts {
   SoSwitch* tracked_shown = new SoSwitch;
   SoMaterial* tracked_colour = make_material(kTrackedColour, 0.6F);
   SceneView view;
-  std::optional<ObjectShape> shape;  ///< that is built
+  std::optional<ObjectShape> shape;       ///< that is built …
+  tasks::Look look = tasks::Look::plain;  ///< … in this look
 
   void build_room();
   void build_things();
   void build_hands();
-  void build(const ObjectShape& of);
+  void build(const ObjectShape& of, tasks::Look in);
   void show_table(const HandPicture& picture);
   void show_object(const HandPicture& picture);
   void show_target(const HandPicture& picture);
@@ -167,14 +169,16 @@ void HandScene::Parts::build_hands() {
   root->addChild(tracked_shown);
 }
 
-void HandScene::Parts::build(const ObjectShape& of) {
-  if (shape && shape->kind == of.kind && shape->half_m == of.half_m) return;
+void HandScene::Parts::build(const ObjectShape& of, tasks::Look in) {
+  if (shape && shape->kind == of.kind && shape->half_m == of.half_m && look == in) return;
   shape = of;
+  look = in;
   object_form->removeAllChildren();
   target_form->removeAllChildren();
   object_form->addChild(object_colour = make_material(kThingColour));
   object_form->addChild(make_body(of));
   object_form->addChild(make_lines(outline_of(of), kThingEdge, 1.5F));
+  if (look == tasks::Look::jar) object_forms::add_kitchen_details(*object_form, scene_of(of));
   target_form->addChild(target_colour = make_material(kTargetColour, 0.6F));
   target_form->addChild(make_body(of));
   target_form->addChild(make_lines(outline_of(of), kTargetEdge, 2.0F));
@@ -206,7 +210,7 @@ void HandScene::Parts::show_object(const HandPicture& picture) {
     marks[d].show(*picture.marks[d], tied ? kTiedColour : kTouchesColour);
   }
   if (!picture.object) return;
-  build(*picture.object);
+  build(*picture.object, picture.look);
   const SbColor& colour = picture.placed ? kPlacedColour : kThingColour;
   set_colour(object_colour, colour);
   object_place->translation.setValue(to_sb(picture.X_WO.p));

@@ -15,8 +15,9 @@
 #include <Inventor/nodes/SoSwitch.h>
 #include <Inventor/nodes/SoTransform.h>
 
-#include "gui/patient_screen/scene_nodes.hpp"
-#include "gui/patient_screen/scene_view.hpp"
+#include "gui/solids/scene_nodes.hpp"
+#include "gui/solids/scene_view.hpp"
+#include "gui/training_looks/object_forms.hpp"
 
 namespace isograsp::gui {
 
@@ -44,6 +45,14 @@ struct ObjectScene::Parts {
   SceneView view;
   std::shared_ptr<const Scene> scene;
   std::optional<bool> in_space;  ///< which room is shown
+  SoftShadow soft;
+  SoSwitch* soft_shown = new SoSwitch;
+  SoSwitch* living_room = nullptr;  ///< 0: with its grid; then in the three lights of training
+  SoSwitch* shelf_shown = new SoSwitch;
+  SoSeparator* shelf_form = new SoSeparator;
+  tasks::Look look = tasks::Look::plain;
+  object_forms::Form form;  ///< of a training look
+  SbColor object_usual;
 
   /// The room, and where it is looked at from.
   void enter(bool space) {
@@ -76,7 +85,13 @@ struct ObjectScene::Parts {
     object_form->removeAllChildren();
     ghost_form->removeAllChildren();
     shadow_form->removeAllChildren();
+    shelf_form->removeAllChildren();
+    form = {};
+    object_usual = kBlockColour;
+    if (object_forms::has_form(look, *scene)) return dress();
     object_form->addChild(object_colour = make_material(kBlockColour));
+    object_colour->specularColor.setValue(0.22F, 0.22F, 0.22F);
+    object_colour->shininess.setValue(0.3F);
     object_form->addChild(make_shape(*scene));
     object_form->addChild(make_mark(*scene, kBlockMark, 0.0F));
     shadow_form->addChild(make_shape(*scene));
@@ -89,6 +104,20 @@ struct ObjectScene::Parts {
     if (edges.empty()) return;
     object_form->addChild(make_lines(edges, kBlockEdge, 1.5F));
     ghost_form->addChild(make_lines(edges, kGhostEdge, 2.5F));
+  }
+
+  /// Object and target in the form that the look gives them.
+  void dress() {
+    form = object_forms::make_form(look, *scene);
+    object_colour = form.colour;
+    object_usual = form.usual;
+    object_form->addChild(form.solid);
+    shadow_form->addChild(form.outline);
+    ghost_form->addChild(make_flat());
+    ghost_form->addChild(make_material(kGhostColour, 0.60F));
+    ghost_form->addChild(form.outline);
+    ghost_form->addChild(make_lines(form.edge, kGhostEdge, 2.5F));
+    shelf_form->addChild(object_forms::make_shelf(*scene));
   }
 };
 
@@ -103,9 +132,21 @@ ObjectScene::ObjectScene() {
   p.root->addChild(p.camera);
   auto* light = new SoDirectionalLight;
   light->direction.setValue(0.35F, -0.75F, -0.85F);
-  light->intensity.setValue(0.95F);
+  light->intensity.setValue(0.86F);
   p.root->addChild(light);
-  p.room->addChild(make_room(kTableRoom));
+  // What the walls give back, from the other side and from below.
+  auto* fill = new SoDirectionalLight;
+  fill->direction.setValue(-0.6F, 0.25F, -0.75F);
+  fill->intensity.setValue(0.26F);
+  p.root->addChild(fill);
+  auto* table = new SoSwitch;
+  p.living_room = table;
+  table->addChild(make_room(kTableRoom));
+  for (const auto daylight :
+       {tasks::Daylight::morning, tasks::Daylight::day, tasks::Daylight::evening})
+    table->addChild(object_forms::make_living_room(daylight));
+  table->whichChild.setValue(0);
+  p.room->addChild(table);
   p.room->addChild(make_room(kArmRoom));
   p.root->addChild(p.room);
 
@@ -124,8 +165,11 @@ ObjectScene::ObjectScene() {
   p.ghost_shadow_shown->addChild(make_shadow(p.ghost_to_floor, p.ghost_place, kGhostColour, 0.5F));
   p.shadow_shown->addChild(make_shadow(p.to_floor, p.object_place, kShadowColour, 0.55F));
   p.wall_shadow_shown->addChild(make_shadow(p.to_wall, p.object_place, kShadowColour, 0.82F));
+  p.soft.build(kTableRoom, p.object_place, p.shadow_form);
+  p.soft_shown->addChild(p.soft.root());
   shadows->addChild(p.ghost_shadow_shown);
   shadows->addChild(p.shadow_shown);
+  shadows->addChild(p.soft_shown);
   shadows->addChild(p.wall_shadow_shown);
   p.root->addChild(shadows);
 
@@ -135,6 +179,11 @@ ObjectScene::ObjectScene() {
   p.object_shown->addChild(object);
   p.root->addChild(p.object_shown);
   for (auto& finger : p.fingers) p.root->addChild(finger.shown);
+  auto* shelf = new SoSeparator;
+  shelf->addChild(p.ghost_place);
+  shelf->addChild(p.shelf_form);
+  p.shelf_shown->addChild(shelf);
+  p.root->addChild(p.shelf_shown);
   auto* ghost = new SoSeparator;
   // Slightly larger than the block: faces in the same plane would flicker when the block is in
   // place.
@@ -152,27 +201,38 @@ ObjectScene::~ObjectScene() {
 void ObjectScene::show(const PatientPicture& picture) {
   Parts& p = *parts_;
   p.enter(picture.in_space);
-  if (picture.scene != p.scene && picture.scene != nullptr) {
+  if (picture.scene != nullptr && (picture.scene != p.scene || picture.look != p.look)) {
     p.scene = picture.scene;
+    p.look = picture.look;
     p.rebuild(picture.in_space);
   }
   const auto show_if = [](SoSwitch* part, bool shown) {
     part->whichChild.setValue(shown ? SO_SWITCH_ALL : SO_SWITCH_NONE);
   };
   show_if(p.object_shown, picture.object_shown);
-  show_if(p.shadow_shown, picture.object_shown);
+  const bool dressed = p.scene != nullptr && object_forms::has_form(p.look, *p.scene);
+  p.living_room->whichChild.setValue(dressed ? 1 + static_cast<int>(picture.light) : 0);
+  show_if(p.shelf_shown, dressed && picture.target_shown);
+  object_forms::keep_level(p.form, picture.X_WO.q);
+  // In the larger room the shadow tells the depth, and is sharp.
+  show_if(p.shadow_shown, picture.in_space && picture.object_shown);
+  show_if(p.soft_shown, !picture.in_space && picture.object_shown);
+  if (p.scene != nullptr)
+    p.soft.fall(static_cast<float>(picture.X_WO.p.y() - p.scene->size_m.y() / 2) -
+                kTableRoom.floor);
   show_if(p.wall_shadow_shown, !picture.in_space && picture.object_shown);  // else it is far away
   show_if(p.ghost_shadow_shown, picture.in_space && picture.target_shown);
   const SbColor& colour = picture.unseen    ? kUnseenColour
                           : picture.matched ? kMatchedColour
-                                            : kBlockColour;
+                                            : p.object_usual;
   if (p.object_colour != nullptr) {
     p.object_colour->diffuseColor.setValue(colour);
     p.object_colour->ambientColor.setValue(colour);
   }
   p.object_place->translation.setValue(to_sb(picture.X_WO.p));
   p.object_place->rotation.setValue(to_sb(picture.X_WO.q));
-  show_if(p.ghost_shown, picture.target_shown);
+  // A form that stands in its target would look muddy in it.
+  show_if(p.ghost_shown, picture.target_shown && !(dressed && picture.matched));
   p.ghost_place->translation.setValue(to_sb(picture.X_WT.p));
   p.ghost_place->rotation.setValue(to_sb(picture.X_WT.q));
   for (std::size_t f = 0; f < kFingerCount; ++f) {

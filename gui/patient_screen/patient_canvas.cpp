@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/patient_screen/patient_canvas.hpp"
 
+#include <QLocale>
 #include <QObject>
 #include <QPainterPath>
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include "gui/patient_screen/patient_range.hpp"
 #include "gui/patient_screen/patient_signs.hpp"
 #include "gui/patient_screen/patient_two_hands.hpp"
+#include "gui/training_looks/curve_view.hpp"
 
 namespace isograsp::gui {
 
@@ -112,6 +114,31 @@ void draw_words(QPainter& painter, const QRectF& area, const PatientPicture& pic
             picture.urgent ? QColor(Qt::white) : kSoftInk);
 }
 
+/// A circle that breathes, in it the seconds that are left, round it a ring of which a whole round
+/// is a minute.
+void draw_rest_circle(QPainter& painter, const QRectF& area, const QPointF& centre, double radius,
+                      const PatientPicture& picture) {
+  constexpr double kRound_s = 60.0;
+  constexpr int kDegree = 16;
+  const double inner = (0.66 + 0.20 * picture.breath) * radius;
+  QRadialGradient glow(centre, inner);
+  glow.setColorAt(0.0, QColor(0xE6, 0xF1, 0xF4));
+  glow.setColorAt(1.0, QColor(0xB5, 0xD5, 0xDD));
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(glow);
+  painter.drawEllipse(centre, inner, inner);
+  const QRectF ring(centre.x() - radius, centre.y() - radius, 2 * radius, 2 * radius);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(kFaint, 0.07 * radius));
+  painter.drawEllipse(ring);
+  painter.setPen(QPen(kDot, 0.07 * radius, Qt::SolidLine, Qt::RoundCap));
+  const double share = std::min(1.0, *picture.rest_left_s / kRound_s);
+  painter.drawArc(ring, 90 * kDegree, static_cast<int>(360 * kDegree * share));
+  draw_line(painter, area, QRectF(centre.x() - inner, centre.y() - inner, 2 * inner, 2 * inner),
+            QLocale().toString(static_cast<int>(std::ceil(*picture.rest_left_s))), 0.11, true,
+            kInk);
+}
+
 void draw_message(QPainter& painter, const QRectF& area, const PatientPicture& picture) {
   if (picture.urgent) {
     const double size = 0.5 * area.height();
@@ -122,9 +149,11 @@ void draw_message(QPainter& painter, const QRectF& area, const PatientPicture& p
         picture);
   }
   const double size = 0.34 * area.height();
-  paint_sign(painter,
-             QRectF(area.center().x() - size / 2, area.top() + 0.14 * area.height(), size, size),
-             picture);
+  const QPointF middle(area.center().x(), area.top() + 0.31 * area.height());
+  if (picture.rest_left_s)
+    draw_rest_circle(painter, area, middle, 0.56 * size, picture);
+  else
+    paint_sign(painter, QRectF(middle.x() - size / 2, middle.y() - size / 2, size, size), picture);
   draw_line(painter, area, part(area, 0.06, 0.53, 0.94, 0.67),
             QString::fromStdString(picture.headline), 0.095, true, kInk);
   draw_line(painter, area, part(area, 0.08, 0.68, 0.92, 0.78),
@@ -210,19 +239,27 @@ void draw_band(QPainter& painter, const QPolygonF& line, double half_band) {
   painter.drawPolyline(line);
 }
 
-/// The target as time passes; where it has no value on the screen the line is broken.
-void draw_moving_target(QPainter& painter, const PatientPicture& picture, const Field& place,
-                        double half_band) {
+/// The target as time passes, from left to right; where it has no value on the screen the line is
+/// broken.
+std::vector<QPolygonF> target_lines(const PatientPicture& picture, const Field& place,
+                                    const QRectF& field) {
   constexpr int kSteps = 160;
+  if (!picture.line_shown) return {};
+  if (picture.preview == nullptr) {
+    const double y = place.y(picture.target_N);
+    return {polygon({{field.left(), y}, {field.right(), y}})};
+  }
+  std::vector<QPolygonF> lines;
   QPolygonF line;
   for (int k = 0; k <= kSteps; ++k) {
     const double t_s = place.begin_s() + (place.end_s() - place.begin_s()) * k / kSteps;
     const auto target_N = picture.preview->at(t_s, picture.task_time_s);
     if (target_N) line.append({place.x(t_s), place.y(*target_N)});
     if (target_N && k < kSteps) continue;
-    draw_band(painter, line, half_band);
+    lines.push_back(line);
     line.clear();
   }
+  return lines;
 }
 
 void draw_dot(QPainter& painter, const QPointF& dot, double radius, bool inside) {
@@ -245,20 +282,32 @@ void draw_tracking(QPainter& painter, const QRectF& area, const PatientPicture& 
   const double ahead_s = future ? picture.preview->ahead_s : kBehind_s;
   const Field place(field, picture, kBehind_s, ahead_s);
   const double now_x = place.x(picture.task_time_s);
-  painter.fillRect(field, Qt::white);
-  painter.setPen(QPen(kZero, 3));
-  painter.drawLine(QPointF(field.left(), place.y(0.0)), QPointF(field.right(), place.y(0.0)));
   const double half_band = kHalfBandShare * field.height();
-  const double target_y = place.y(picture.target_N);
-  if (picture.line_shown && future)
-    draw_moving_target(painter, picture, place, half_band);
-  else if (picture.line_shown)
-    draw_band(painter, polygon({{field.left(), target_y}, {field.right(), target_y}}), half_band);
-  painter.setPen(QPen(kSoftInk, 2, Qt::DashLine));
-  painter.drawLine(QPointF(now_x, field.top()), QPointF(now_x, field.bottom()));
-  if (picture.force_shown) {
-    const QPointF dot(now_x, place.y(picture.force_N));
-    draw_dot(painter, dot, 0.036 * area.height(), picture.on_target);
+  const auto targets = target_lines(picture, place, field);
+  const double radius = 0.036 * area.height();
+  if (picture.look != tasks::Look::plain) {
+    CurveView view;
+    view.field = field;
+    view.light = picture.light;
+    view.targets = targets;
+    view.half_band_px = half_band;
+    view.zero_y = place.y(0.0);
+    view.mark_shown = picture.force_shown;
+    view.mark = QPointF(now_x, place.y(picture.force_N));
+    view.mark_radius_px = radius;
+    view.on_target = picture.on_target;
+    view.px_per_s = place.x(1.0) - place.x(0.0);
+    view.begin_s = place.begin_s();
+    paint_curve_look(painter, picture.look, view);
+  } else {
+    painter.fillRect(field, Qt::white);
+    painter.setPen(QPen(kZero, 3));
+    painter.drawLine(QPointF(field.left(), place.y(0.0)), QPointF(field.right(), place.y(0.0)));
+    for (const QPolygonF& line : targets) draw_band(painter, line, half_band);
+    painter.setPen(QPen(kSoftInk, 2, Qt::DashLine));
+    painter.drawLine(QPointF(now_x, field.top()), QPointF(now_x, field.bottom()));
+    if (picture.force_shown)
+      draw_dot(painter, {now_x, place.y(picture.force_N)}, radius, picture.on_target);
   }
   if (picture.sign == PatientPicture::Sign::let_go) {
     const double size = 0.44 * area.height();
@@ -337,10 +386,11 @@ void paint_target_marks(QPainter& painter, const QPointF& first, double radius,
   }
 }
 
-void paint_hold_ring(QPainter& painter, const QPointF& centre, double radius, double fraction) {
+void paint_hold_ring(QPainter& painter, const QPointF& centre, double radius, double fraction,
+                     double thick) {
   painter.setRenderHint(QPainter::Antialiasing);
   const QRectF box(centre.x() - radius, centre.y() - radius, 2 * radius, 2 * radius);
-  const double width = 0.36 * radius;
+  const double width = thick * radius;
   painter.setBrush(Qt::NoBrush);  // block and outline are seen through it
   painter.setPen(QPen(Qt::white, 1.5 * width));
   painter.drawEllipse(box);

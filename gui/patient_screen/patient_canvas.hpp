@@ -23,7 +23,9 @@ inline constexpr double kBannerShare = 0.19;
 void paint_target_marks(QPainter& painter, const QPointF& first, double radius,
                         const PatientPicture& picture);
 /// A ring around `centre` that closes while the block is held; what is behind it stays visible.
-void paint_hold_ring(QPainter& painter, const QPointF& centre, double radius, double fraction);
+/// `thick`: of its radius.
+void paint_hold_ring(QPainter& painter, const QPointF& centre, double radius, double fraction,
+                     double thick = 0.36);
 /// The mark of a finger that touches: a check in a disc.
 void paint_check(QPainter& painter, const QPointF& centre, double radius);
 /// Pause or fault, over a page that stands still. Nothing if there is none.

@@ -5,6 +5,7 @@
 #include "gui/patient_screen/patient_canvas.hpp"
 #include "gui/patient_screen/patient_ink.hpp"
 #include "gui/patient_screen/patient_tray.hpp"
+#include "gui/training_looks/flat_props.hpp"
 
 namespace isograsp::gui {
 
@@ -57,15 +58,21 @@ void draw_place(QPainter& painter, const PlaneView& view, const CarryPicture& ca
   painter.drawRect(box_at(view, carry.target_W, carry.size_m));
 }
 
-void draw_box(QPainter& painter, const PlaneView& view, const CarryPicture& carry) {
+void draw_box(QPainter& painter, const PlaneView& view, const CarryPicture& carry,
+              tasks::Look look) {
   painter.save();
   painter.translate(view.at(carry.p_W));
   constexpr double kDegrees = 180.0 / std::numbers::pi;
   painter.rotate(-kDegrees * carry.angle_rad);
   const double width = view.scale * carry.size_m.x(), height = view.scale * carry.size_m.y();
-  painter.setPen(QPen(kInk, carry.held ? 6 : 3));
-  painter.setBrush(carry.on_target ? kGood : QColor(Qt::white));
-  painter.drawRect(QRectF(-width / 2, -height / 2, width, height));
+  const QRectF box(-width / 2, -height / 2, width, height);
+  if (look == tasks::Look::crate) {
+    paint_crate(painter, box, carry.held, carry.on_target);
+  } else {
+    painter.setPen(QPen(kInk, carry.held ? 6 : 3));
+    painter.setBrush(carry.on_target ? kGood : QColor(Qt::white));
+    painter.drawRect(box);
+  }
   painter.restore();
 }
 
@@ -78,7 +85,7 @@ void paint_carry(QPainter& painter, const QRectF& area, const PatientPicture& pi
   const PlaneView view = plane_view(area, carry);
   if (carry.target_shown) draw_place(painter, view, carry);
   for (const Hand hand : kBothHands) draw_bubble(painter, view, carry, hand);
-  draw_box(painter, view, carry);
+  draw_box(painter, view, carry, picture.look);
   for (const Hand hand : kBothHands)
     paint_hand_mark(painter, box_at(view, carry.of[hand].p_W, kPointShare * carry.size_m), hand);
   if (picture.hold_fraction > 0.0)

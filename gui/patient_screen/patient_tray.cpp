@@ -6,6 +6,7 @@
 
 #include "gui/patient_screen/patient_canvas.hpp"
 #include "gui/patient_screen/patient_ink.hpp"
+#include "gui/training_looks/flat_props.hpp"
 
 namespace isograsp::gui {
 
@@ -58,7 +59,7 @@ void draw_height_band(QPainter& painter, const View& view, const TrayPicture& tr
 }
 
 /// Its colour says what its place says too: it is in the band and level.
-void draw_tray(QPainter& painter, const View& view, const TrayPicture& tray) {
+void draw_tray(QPainter& painter, const View& view, const TrayPicture& tray, tasks::Look look) {
   painter.save();
   painter.translate(view.at(tray.p_W));
   constexpr double kDegrees = 180.0 / std::numbers::pi;
@@ -66,9 +67,14 @@ void draw_tray(QPainter& painter, const View& view, const TrayPicture& tray) {
   const double half = 0.5 * view.scale * tray.size_m.x();
   const double thick = view.scale * tray.size_m.y();
   const double rim = 0.9 * thick;
+  const QRectF board(-half, -0.5 * thick, 2.0 * half, thick);
+  if (look == tasks::Look::tea_tray) {
+    paint_tea_tray(painter, board, tray.on_target);
+    return painter.restore();
+  }
   painter.setPen(QPen(kInk, 3));
   painter.setBrush(tray.on_target ? kGood : QColor(Qt::white));
-  painter.drawRect(QRectF(-half, -0.5 * thick, 2.0 * half, thick));
+  painter.drawRect(board);
   painter.setBrush(Qt::white);  // a glass in the middle: it shows how the tray hangs
   const double glass = 0.8 * thick;
   painter.drawRect(QRectF(-0.5 * glass, -0.5 * thick - 1.6 * rim, glass, 1.6 * rim));
@@ -115,7 +121,7 @@ void paint_tray(QPainter& painter, const QRectF& area, const PatientPicture& pic
   const View view = view_of(area, tray);
   draw_rest(painter, view, tray);
   if (tray.target_shown) draw_height_band(painter, view, tray);
-  draw_tray(painter, view, tray);
+  draw_tray(painter, view, tray, picture.look);
   for (const Hand hand : kBothHands) draw_lifting_hand(painter, view, tray, hand);
   if (picture.hold_fraction > 0.0)
     paint_hold_ring(painter, view.at(tray.p_W) - QPointF(0.0, 4.2 * view.scale * tray.size_m.y()),

@@ -8,6 +8,7 @@
 #include "gui/patient_screen/patient_ink.hpp"
 #include "gui/patient_screen/patient_signs.hpp"
 #include "gui/patient_screen/patient_tray.hpp"
+#include "gui/training_looks/flat_props.hpp"
 
 namespace isograsp::gui {
 
@@ -134,6 +135,8 @@ void paint_two_hands(QPainter& painter, const QRectF& area, const PatientPicture
   painter.setRenderHint(QPainter::Antialiasing);
   const TwoHandsPicture& both = *picture.two_hands;
   if (both.tray || both.carry) {
+    if (picture.look != tasks::Look::plain)
+      paint_flat_room(painter, part(area, 0.0, 0.27, 1.0, 0.935), picture.light);
     const QRectF middle = part(area, 0.16, 0.25, 0.84, 0.90);
     if (both.tray)
       paint_tray(painter, middle, picture);

@@ -24,6 +24,8 @@ namespace {
 
 /// A hand holds its object from above: ring and tick stand below it, by so many diameters.
 constexpr double kBelowHand = 1.3;
+/// The ring of a hold lies outside the object, by so much of its half diagonal.
+constexpr double kRoundObject = 1.12;
 
 QSurfaceFormat compatible_format(int samples) {
   QSurfaceFormat format;
@@ -269,17 +271,25 @@ void PatientWindow::draw_object(const PatientPicture& picture, const QRect& cont
     painter.drawImage(place - QPointF(diameter / 2.0, above * diameter), tick_);
   }
   if (picture.hold_fraction > 0.0) {
-    const int diameter = size.height() / 8;
+    const auto place = project(picture.ring_W);
+    // Round the object, which is to be seen; a hand holds it from above, and its ring is below.
+    double radius = 0.36 * size.height() / 8;
+    double thick = 0.36;
+    if (!hand && picture.scene != nullptr) {
+      const Vec3 beside = picture.ring_W + 0.5 * picture.scene->size_m.norm() * Vec3::UnitX();
+      radius = kRoundObject * (project(beside).x() - place.x());
+      thick = 0.11;
+    }
+    const int diameter = 2 * static_cast<int>(std::ceil((1.0 + thick) * radius));
     if (ring_.width() != diameter)
       ring_ = QImage(diameter, diameter, QImage::Format_ARGB32_Premultiplied);
     ring_.fill(Qt::transparent);
     {
       QPainter round(&ring_);
-      paint_hold_ring(round, QPointF(diameter / 2.0, diameter / 2.0), 0.36 * diameter,
-                      picture.hold_fraction);
+      paint_hold_ring(round, QPointF(diameter / 2.0, diameter / 2.0), radius, picture.hold_fraction,
+                      thick);
     }
-    const auto place = project(picture.ring_W);
-    const double below = hand ? kBelowHand * diameter : 0.0;
+    const double below = hand ? kBelowHand * size.height() / 8 : 0.0;
     painter.drawImage(place - QPointF(diameter / 2.0, diameter / 2.0 - below), ring_);
   }
   painter.drawImage(0, 0, banner_);

@@ -11,6 +11,7 @@
 
 #include "hand_world/ground.hpp"
 #include "session/tracked_hand/hand_snapshot.hpp"
+#include "tasks/looks/look.hpp"
 #include "virtual_hand/assistance_level.hpp"
 #include "virtual_hand/capsule.hpp"
 
@@ -49,6 +50,7 @@ struct HandPicture {
   std::array<std::optional<Mark>, kDigitCount> marks;
   bool frozen = false;  ///< it is not seen, and stands still: pale
 
+  tasks::Look look = tasks::Look::plain;  ///< of the object
   std::optional<virtual_hand::ObjectShape> object;
   Pose X_WO;
   bool placed = false;  ///< purple: it was held at its target, and the hand is to open

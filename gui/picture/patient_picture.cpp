@@ -5,6 +5,7 @@
 #include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "gui/picture/arm_picture.hpp"
 #include "gui/picture/hand_picture.hpp"
@@ -210,6 +211,9 @@ void add_force(const PatientFacts& facts, PatientPicture& picture) {
 }
 
 void add_trial(const PatientFacts& facts, PatientPicture& picture) {
+  picture.look = facts.task->look;
+  if (facts.task->difficulty && facts.task->difficulty->chosen)
+    picture.light = tasks::daylight_at(*facts.task->difficulty->chosen);
   const Stimulus& seen = facts.stimulus;
   picture.hand = facts.hand;
   picture.channel = seen.channel;
@@ -236,6 +240,7 @@ void add_trial(const PatientFacts& facts, PatientPicture& picture) {
     add_two_hands(facts, picture);
   } else if (facts.tracked) {
     add_hand_trial(facts, picture);
+    if (picture.tracked_hand) picture.tracked_hand->look = picture.look;
   } else if (facts.arm != nullptr) {
     add_arm(facts, picture);
   } else if (facts.scene != nullptr && seen.object_shown) {
@@ -249,6 +254,16 @@ void add_trial(const PatientFacts& facts, PatientPicture& picture) {
                                picture.axis.share(picture.target_N)) <= kHalfBandShare;
   if (picture.page == Page::tracking && seen.force_shown && angles_known)
     picture.gain_deg_per_N = gain_of(picture.axis, facts.viewing);
+}
+
+/// A rest counts down; between parts of a training its circle breathes slowly, six times a minute,
+/// and ends breathed out.
+void add_rest_circle(const PatientFacts& facts, PatientPicture& picture) {
+  constexpr double kBreath_s = 10.0;
+  if (!facts.rest_left_s || !(*facts.rest_left_s > 0.0) || picture.page != Page::message) return;
+  picture.rest_left_s = facts.rest_left_s;
+  if (facts.trains && !facts.calm)
+    picture.breath = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * *facts.rest_left_s / kBreath_s);
 }
 
 /// What is measured may rest.
@@ -330,6 +345,8 @@ PatientPicture picture_for(const PatientFacts& facts) {
     add_trial(facts, picture);
   else
     add_idle(facts, picture);
+  if (!in_trial && facts.session_open && facts.stage == session::Stage::idle)
+    add_rest_circle(facts, picture);
   if (facts.session_open || facts.broken_off) add_notice(facts, picture);
   if (facts.example) picture.detail = PictureTexts::tr("Watch how it is done").toStdString();
   return picture;

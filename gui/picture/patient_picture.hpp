@@ -48,12 +48,15 @@ struct PatientFacts {
   bool example = false;         ///< all of this is a demonstration: nothing is the patient's
   /// How long ago the frame was published: what moves is shown where it is now [s].
   double ahead_s = 0.0;
-  bool calm = false;  ///< less motion: nothing scrolls, nothing approaches
+  /// Until the next part of a protocol may begin [s]; nothing: there is no rest.
+  std::optional<double> rest_left_s;
+  bool trains = false;  ///< that part is training
+  bool calm = false;    ///< less motion: nothing scrolls, nothing approaches
   Viewing viewing;
 };
 
-/// A virtual finger: a cone that approaches along its axis while force builds up and touches when
-/// the contact is on.
+/// A virtual finger: a fingertip that approaches along its axis while force builds up and touches
+/// when the contact is on.
 struct FingerPicture {
   bool shown = false;
   Vec3 tip_W = Vec3::Zero();    ///< where its tip is [m]
@@ -87,14 +90,18 @@ struct PatientPicture {
 
   Timestamp published{0};  ///< of the frame that it shows
   bool calm = false;
+  tasks::Look look = tasks::Look::plain;  ///< clothes what is drawn, and changes none of it
+  tasks::Daylight light = tasks::Daylight::day;
   Page page = Page::message;
   Sign sign = Sign::wait;
   Notice notice = Notice::none;  ///< over the page, which then stands still
   std::string headline;          ///< the instruction, large
   std::string detail;            ///< one more sentence, or nothing
   std::string notice_words;
-  bool missed = false;  ///< a trial is over whose targets were not all reached
-  bool urgent = false;  ///< it is to be done now: the instruction stands out
+  std::optional<double> rest_left_s;  ///< counted down in the place of the sign
+  double breath = 0.0;                ///< of a rest: how wide its circle is, 0 … 1
+  bool missed = false;                ///< a trial is over whose targets were not all reached
+  bool urgent = false;                ///< it is to be done now: the instruction stands out
   bool simulated = false;
   bool example = false;  ///< to be watched: nothing in it is the patient's own
   bool progress_shown = false;

@@ -58,6 +58,10 @@ PatientFacts PatientView::facts() const {
     facts.just_completed = open.ended->completed;
     facts.just_missed = open.ended->missed;
   }
+  if (const auto& act = open.work.guide.act(); act && open.work.follows() && !open.trial) {
+    facts.rest_left_s = open.work.guide.wait_s(now.session_time_s);
+    facts.trains = act->adaptive;
+  }
   if (now.stage == session::Stage::trial)
     facts.ahead_s = std::clamp(to_seconds(clock_.now() - now.published), 0.0, kLongestAhead_s);
   return facts;

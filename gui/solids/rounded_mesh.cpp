@@ -2,7 +2,7 @@
 // Each direction of a globe has one point of the hull: that of the ball which reaches farthest
 // there, or between balls that reach about as far. Its normal is the direction, so what is flat
 // between two balls comes out flat by itself, and what is nearly flat has no edges.
-#include "gui/patient_screen/rounded_mesh.hpp"
+#include "gui/solids/rounded_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include <Inventor/nodes/SoIndexedTriangleStripSet.h>
 #include <Inventor/nodes/SoVertexProperty.h>
 
-#include "gui/patient_screen/scene_nodes.hpp"
+#include "gui/solids/scene_nodes.hpp"
 
 namespace isograsp::gui::scene_nodes {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gui/patient_screen/scene_view.hpp"
+#include "gui/solids/scene_view.hpp"
 
 #include <GL/gl.h>
 #include <Inventor/SbViewVolume.h>
@@ -7,7 +7,7 @@
 #include <Inventor/actions/SoGLRenderAction.h>
 #include <Inventor/nodes/SoCamera.h>
 
-#include "gui/patient_screen/scene_nodes.hpp"
+#include "gui/solids/scene_nodes.hpp"
 
 namespace isograsp::gui {
 

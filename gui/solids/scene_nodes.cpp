@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gui/patient_screen/scene_nodes.hpp"
+#include "gui/solids/scene_nodes.hpp"
 
 #include <algorithm>
+#include <cmath>
 
-#include <Inventor/nodes/SoCone.h>
 #include <Inventor/nodes/SoCoordinate3.h>
 #include <Inventor/nodes/SoCube.h>
 #include <Inventor/nodes/SoCylinder.h>
@@ -12,11 +12,15 @@
 #include <Inventor/nodes/SoLightModel.h>
 #include <Inventor/nodes/SoLineSet.h>
 #include <Inventor/nodes/SoMaterial.h>
+#include <Inventor/nodes/SoMaterialBinding.h>
+#include <Inventor/nodes/SoMatrixTransform.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoSphere.h>
 #include <Inventor/nodes/SoSwitch.h>
 #include <Inventor/nodes/SoTransform.h>
 #include <Inventor/nodes/SoTranslation.h>
+
+#include "gui/solids/rounded_mesh.hpp"
 
 namespace isograsp::gui::scene_nodes {
 
@@ -26,19 +30,11 @@ const SbColor kFloorColour(0.83F, 0.86F, 0.89F);
 const SbColor kGridColour(0.74F, 0.78F, 0.82F);
 const SbColor kApproachColour(0.78F, 0.12F, 0.10F);
 const SbColor kTouchColour(0.00F, 0.55F, 0.36F);
-
-SoSeparator* make_plane(const std::vector<SbVec3f>& corners, const SbColor& colour) {
-  auto* plane = new SoSeparator;
-  plane->addChild(make_flat());
-  plane->addChild(make_material(colour));
-  auto* points = new SoCoordinate3;
-  points->point.setValues(0, static_cast<int>(corners.size()), corners.data());
-  plane->addChild(points);
-  auto* face = new SoFaceSet;
-  face->numVertices.setValue(static_cast<int>(corners.size()));
-  plane->addChild(face);
-  return plane;
-}
+const SbColor kTipColour(0.80F, 0.73F, 0.68F);
+const SbColor kTipNailColour(0.93F, 0.88F, 0.85F);
+/// Where the wall is bright and the floor is near.
+const SbColor kWallTopColour(0.955F, 0.968F, 0.98F);
+const SbColor kFloorFarColour(0.76F, 0.80F, 0.84F);
 
 SbVec3f extent_of(const Scene& scene) {
   const SbVec3f size = to_sb(scene.size_m);
@@ -50,17 +46,46 @@ SbVec3f extent_of(const Scene& scene) {
   return size;
 }
 
-/// A cone whose tip is the origin and which points along +y.
-SoSeparator* make_cone(float height_m, float radius_m, const SbColor& colour) {
+/// A fingertip that ends at the origin and points along +y; `wide`: pressed flat.
+SoSeparator* make_fingertip(float wide) {
+  constexpr double kRadius = 0.0098;
   auto* group = new SoSeparator;
+  auto* pressed = new SoTransform;
+  pressed->scaleFactor.setValue(wide, 1.0F / wide, wide);
+  group->addChild(pressed);
+  SoMaterial* skin = make_material(kTipColour);
+  skin->ambientColor.setValue(kTipColour * 0.85F);
+  skin->specularColor.setValue(0.18F, 0.18F, 0.18F);
+  skin->shininess.setValue(0.25F);
+  group->addChild(skin);
+  group->addChild(make_rounded({{Vec3(0, -0.0085, 0), 0.0085},
+                                {Vec3(0, -0.022, -0.0005), kRadius},
+                                {Vec3(0, -0.052, -0.001), 1.06 * kRadius}}));
+  auto* nail = new SoSeparator;
+  auto* place = new SoTransform;
+  place->translation.setValue(0, -0.0125F, 0.0072F);
+  place->rotation.setValue(SbVec3f(1, 0, 0), 0.16F);
+  place->scaleFactor.setValue(0.0058F, 0.0076F, 0.0020F);
+  nail->addChild(place);
+  SoMaterial* gloss = make_material(kTipNailColour);
+  gloss->specularColor.setValue(0.5F, 0.5F, 0.5F);
+  gloss->shininess.setValue(0.6F);
+  nail->addChild(gloss);
+  nail->addChild(new SoSphere);
+  group->addChild(nail);
+  return group;
+}
+
+SoSeparator* make_collar(const SbColor& colour, float radius_m, float height_m) {
+  auto* group = new SoSeparator;
+  auto* behind = new SoTranslation;
+  behind->translation.setValue(0, -0.039F, 0);
+  auto* collar = new SoCylinder;
+  collar->radius.setValue(radius_m);
+  collar->height.setValue(height_m);
   group->addChild(make_material(colour));
-  auto* place = new SoTranslation;
-  place->translation.setValue(0, -height_m / 2, 0);
-  auto* cone = new SoCone;
-  cone->height.setValue(height_m);
-  cone->bottomRadius.setValue(radius_m);
-  group->addChild(place);
-  group->addChild(cone);
+  group->addChild(behind);
+  group->addChild(collar);
   return group;
 }
 
@@ -97,13 +122,34 @@ SoSeparator* make_lines(const std::vector<SbVec3f>& ends, const SbColor& colour,
   return lines;
 }
 
+SoSeparator* make_shaded_plane(const std::vector<SbVec3f>& corners,
+                               const std::vector<SbColor>& colours) {
+  auto* plane = new SoSeparator;
+  plane->addChild(make_flat());
+  auto* material = new SoMaterial;
+  material->diffuseColor.setValues(0, static_cast<int>(colours.size()), colours.data());
+  plane->addChild(material);
+  auto* binding = new SoMaterialBinding;
+  binding->value.setValue(SoMaterialBinding::PER_VERTEX);
+  plane->addChild(binding);
+  auto* points = new SoCoordinate3;
+  points->point.setValues(0, static_cast<int>(corners.size()), corners.data());
+  plane->addChild(points);
+  auto* face = new SoFaceSet;
+  face->numVertices.setValue(static_cast<int>(corners.size()));
+  plane->addChild(face);
+  return plane;
+}
+
 SoSeparator* make_room(const RoomSize& size) {
   auto* room = new SoSeparator;
   const auto& [floor, wall, front, w, top, grid] = size;
-  room->addChild(make_plane({{-w, floor, wall}, {w, floor, wall}, {w, top, wall}, {-w, top, wall}},
-                            kWallColour));
-  room->addChild(make_plane(
-      {{-w, floor, front}, {w, floor, front}, {w, floor, wall}, {-w, floor, wall}}, kFloorColour));
+  room->addChild(
+      make_shaded_plane({{-w, floor, wall}, {w, floor, wall}, {w, top, wall}, {-w, top, wall}},
+                        {kWallColour, kWallColour, kWallTopColour, kWallTopColour}));
+  room->addChild(make_shaded_plane(
+      {{-w, floor, front}, {w, floor, front}, {w, floor, wall}, {-w, floor, wall}},
+      {kFloorColour, kFloorColour, kFloorFarColour, kFloorFarColour}));
   constexpr float kLift_m = 0.0006F;  // above the planes: coplanar lines would flicker
   std::vector<SbVec3f> ends;
   for (float x = -w; x <= w + 1e-4F; x += grid) {
@@ -187,18 +233,14 @@ SoSeparator* make_mark(const Scene& scene, const SbColor& colour, float transpar
 FingerNodes::FingerNodes() : shown(new SoSwitch), place(new SoTransform), form(new SoSwitch) {
   auto* group = new SoSeparator;
   group->addChild(place);
-  form->addChild(make_cone(0.050F, 0.0095F, kApproachColour));
-  // Touching: shorter, wider, with a collar.
+  auto* approaching = new SoSeparator;
+  approaching->addChild(make_fingertip(1.0F));
+  approaching->addChild(make_collar(kApproachColour, 0.0122F, 0.004F));
+  form->addChild(approaching);
+  // Touching: pressed flat, with a wide collar.
   auto* touching = new SoSeparator;
-  touching->addChild(make_cone(0.036F, 0.0135F, kTouchColour));
-  auto* behind = new SoTranslation;
-  behind->translation.setValue(0, -0.039F, 0);
-  auto* collar = new SoCylinder;
-  collar->radius.setValue(0.019F);
-  collar->height.setValue(0.006F);
-  touching->addChild(make_material(kTouchColour));
-  touching->addChild(behind);
-  touching->addChild(collar);
+  touching->addChild(make_fingertip(1.12F));
+  touching->addChild(make_collar(kTouchColour, 0.019F, 0.006F));
   form->addChild(touching);
   form->whichChild.setValue(0);
   group->addChild(form);
@@ -223,6 +265,38 @@ SoSeparator* make_corners(const Scene& scene, const SbColor& colour) {
         corners->addChild(one);
       }
   return corners;
+}
+
+SoftShadow::SoftShadow() : root_(new SoSeparator) {}
+
+void SoftShadow::build(const RoomSize& size, SoTransform* place, SoNode* form) {
+  float lift_m = 0.0012F;
+  for (std::size_t k = 0; k < kLayers; ++k) {
+    auto* one = new SoSeparator;
+    auto* flatten = new SoMatrixTransform;
+    flatten->matrix.setValue(flatten_to_floor(size, lift_m));
+    // The widest at the bottom: in the same plane they would hide each other.
+    lift_m += 0.00025F;
+    one->addChild(inks_[k] = make_material(kShadowColour, 1.0F));
+    one->addChild(flatten);
+    one->addChild(place);
+    one->addChild(sizes_[k] = new SoTransform);
+    one->addChild(form);
+    root_->addChild(one);
+  }
+}
+
+void SoftShadow::fall(float height_m) const {
+  constexpr float kDark = 1.0F / static_cast<float>(kLayers);
+  constexpr float kFades_m = 0.16F;
+  const float high_m = std::max(0.0F, height_m);
+  const float dark = kDark * std::exp(-high_m / kFades_m);
+  for (std::size_t k = 0; k < kLayers; ++k) {
+    const float out = static_cast<float>(kLayers - 1 - k) / static_cast<float>(kLayers - 1);
+    const float wide = 0.92F + out * (0.20F + 1.1F * high_m);
+    sizes_[k]->scaleFactor.setValue(wide, wide, wide);
+    inks_[k]->transparency.setValue(1.0F - dark);
+  }
 }
 
 SbMatrix flatten_to_floor(const RoomSize& size, float lift_m) {

@@ -3,6 +3,7 @@
 // the frame that each stands in; nodes of Coin, which whoever they are added to owns.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include <Inventor/SbColor.h>
@@ -58,6 +59,9 @@ inline constexpr RoomSize kTableRoom{-0.160F, -0.110F, 0.160F, 0.60F, 0.49F, 0.0
 /// Round a real object, which an arm moves.
 inline constexpr RoomSize kArmRoom{-0.190F, -0.50F, 0.50F, 1.20F, 0.90F, 0.10F};
 
+/// A plane whose corners have these colours, whatever the light.
+[[nodiscard]] SoSeparator* make_shaded_plane(const std::vector<SbVec3f>& corners,
+                                             const std::vector<SbColor>& colours);
 /// Floor and wall with their grid.
 [[nodiscard]] SoSeparator* make_room(const RoomSize& size);
 [[nodiscard]] SoNode* make_shape(const Scene& scene);
@@ -66,7 +70,7 @@ inline constexpr RoomSize kArmRoom{-0.190F, -0.50F, 0.50F, 1.20F, 0.90F, 0.10F};
 /// A stripe along the upper edge: without it a turned block looks as before.
 [[nodiscard]] SoSeparator* make_mark(const Scene& scene, const SbColor& colour, float transparency);
 
-/// One finger as a cone with its tip at the place, pointing along +y.
+/// A fingertip that ends at the place, pointing along +y.
 struct FingerNodes {
   FingerNodes();
   SoSwitch* shown;
@@ -76,6 +80,24 @@ struct FingerNodes {
 
 /// A bright ball in each corner of a box.
 [[nodiscard]] SoSeparator* make_corners(const Scene& scene, const SbColor& colour);
+
+/// On the floor, of a lamp that is not a point: the same shape a few times, ever wider and ever
+/// paler, the more so the higher the object is.
+class SoftShadow {
+ public:
+  SoftShadow();
+  /// Of `form`, which stands at `place`.
+  void build(const RoomSize& size, SoTransform* place, SoNode* form);
+  /// `height_m`: of the object above the floor.
+  void fall(float height_m) const;
+  [[nodiscard]] SoSeparator* root() const noexcept { return root_; }
+
+ private:
+  static constexpr std::size_t kLayers = 7;
+  SoSeparator* root_;
+  std::array<SoMaterial*, kLayers> inks_{};
+  std::array<SoTransform*, kLayers> sizes_{};
+};
 
 /// Projections that make a shadow out of what follows, so far above the floor, or before the wall.
 [[nodiscard]] SbMatrix flatten_to_floor(const RoomSize& size, float lift_m = 0.0012F);

@@ -88,7 +88,7 @@ struct ObjectScene::Parts {
     shelf_form->removeAllChildren();
     form = {};
     object_usual = kBlockColour;
-    if (object_forms::has_form(look, *scene)) return dress();
+    if (!space && object_forms::has_form(look, *scene)) return dress();
     object_form->addChild(object_colour = make_material(kBlockColour));
     object_colour->specularColor.setValue(0.22F, 0.22F, 0.22F);
     object_colour->shininess.setValue(0.3F);
@@ -100,6 +100,8 @@ struct ObjectScene::Parts {
     ghost_form->addChild(make_shape(*scene));
     ghost_form->addChild(make_mark(*scene, kGhostEdge, 0.45F));
     if (space) ghost_form->addChild(make_corners(*scene, kGhostCorner));
+    // What turns about every axis keeps its stripe and its corners: a glass would not show it.
+    if (look != tasks::Look::plain) object_forms::add_kitchen_details(*object_form, *scene);
     const auto edges = edges_of(*scene);
     if (edges.empty()) return;
     object_form->addChild(make_lines(edges, kBlockEdge, 1.5F));
@@ -210,7 +212,8 @@ void ObjectScene::show(const PatientPicture& picture) {
     part->whichChild.setValue(shown ? SO_SWITCH_ALL : SO_SWITCH_NONE);
   };
   show_if(p.object_shown, picture.object_shown);
-  const bool dressed = p.scene != nullptr && object_forms::has_form(p.look, *p.scene);
+  const bool dressed =
+      !picture.in_space && p.scene != nullptr && object_forms::has_form(p.look, *p.scene);
   p.living_room->whichChild.setValue(dressed ? 1 + static_cast<int>(picture.light) : 0);
   show_if(p.shelf_shown, dressed && picture.target_shown);
   object_forms::keep_level(p.form, picture.X_WO.q);

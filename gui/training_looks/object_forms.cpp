@@ -341,7 +341,9 @@ void add_kitchen_details(SoSeparator& form, const Scene& scene) {
 }
 
 bool has_form(tasks::Look look, const Scene& scene) noexcept {
-  return scene.shape == Shape::box && (look == tasks::Look::cup || look == tasks::Look::lantern);
+  constexpr std::size_t kTurnX = 3, kTurnY = 4;
+  return scene.shape == Shape::box && !scene.free[kTurnX] && !scene.free[kTurnY] &&
+         (look == tasks::Look::cup || look == tasks::Look::lantern);
 }
 
 Form make_form(tasks::Look look, const Scene& scene) {

@@ -39,6 +39,7 @@ void add_kitchen_details(SoSeparator& form, const Scene& scene);
 [[nodiscard]] SoSeparator* make_shelf(const Scene& scene);
 /// Table and wall of a room in that light.
 [[nodiscard]] SoSeparator* make_living_room(tasks::Daylight light);
+/// Round forms show no turn about their axis: they are for boxes that turn about z alone.
 [[nodiscard]] bool has_form(tasks::Look look, const Scene& scene) noexcept;
 
 }  // namespace isograsp::gui::object_forms

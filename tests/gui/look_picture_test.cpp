@@ -5,6 +5,7 @@
 
 #include "core/csv.hpp"
 #include "gui/patient_screen/patient_canvas.hpp"
+#include "gui/training_looks/object_forms.hpp"
 #include "qt_test.hpp"
 #include "tests/support/every.hpp"
 
@@ -154,6 +155,19 @@ TEST_F(LookPicture, ARestNeverHidesATrialOrAFault) {
   PatientFacts facts = following(0.5, Look::plain);
   facts.rest_left_s = 10.0;
   EXPECT_FALSE(picture_for(facts).rest_left_s);
+}
+
+TEST_F(LookPicture, RoundFormsAreForWhatShowsNoTurnAboutTheirAxis) {
+  const auto scene_named = [](const std::string& name) {
+    const std::string path = ISOGRASP_SOURCE_DIR "/library/scenes/" + name + ".toml";
+    return *parse_scene(*read_text(path), path);
+  };
+  for (const Look look : {Look::cup, Look::lantern}) {
+    EXPECT_TRUE(object_forms::has_form(look, scene_named("planar_block")));
+    EXPECT_FALSE(object_forms::has_form(look, scene_named("free_block")));
+    EXPECT_FALSE(object_forms::has_form(look, scene_named("knob")));
+  }
+  EXPECT_FALSE(object_forms::has_form(Look::plain, scene_named("planar_block")));
 }
 
 PatientPicture two_hands(Look look) {

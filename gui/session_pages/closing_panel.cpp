@@ -38,6 +38,7 @@ QString felt_words(const Rating& rating) {
 ClosingPanel::ClosingPanel(Clinic& clinic, SessionPresenter& presenter, QWidget* parent)
     : Card(tr("Today"), parent), clinic_(clinic), presenter_(presenter) {
   title_->setProperty("role", "large");
+  column_->setSpacing(12);
   printing_ = new PrintJob(this);
   make_table();
   valid_ = make_line("closing_valid");
@@ -62,7 +63,7 @@ ClosingPanel::~ClosingPanel() {
 
 void ClosingPanel::make_table() {
   table_ = make_value_table("closing", {tr("Measure"), tr("Today"), tr("Last time"), tr("Change")},
-                            kClosingRow_px * 4);
+                            kClosingRow_px);
   describe(*table_, tr("Today against last time"),
            tr("Means of today's trials and of the session before; a verdict of change for the "
               "primary measures (Tab, arrow keys)"));
@@ -153,6 +154,8 @@ void ClosingPanel::read() {
 
 void ClosingPanel::show_closing(const Closing& closing) {
   print_->setEnabled(false);
+  QFont strong = table_->font();
+  strong.setBold(true);
   table_->setRowCount(static_cast<int>(closing.rows.size()));
   for (int row = 0; row < table_->rowCount(); ++row) {
     const ClosingRow& one = closing.rows[static_cast<std::size_t>(row)];
@@ -162,10 +165,14 @@ void ClosingPanel::show_closing(const Closing& closing) {
       auto* item = new QTableWidgetItem(texts[column]);
       item->setTextAlignment((column == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
       item->setToolTip(texts[column]);
+      if (column == 1) item->setFont(strong);
       table_->setItem(row, column, item);
     }
   }
   table_->setVisible(table_->rowCount() > 0);
+  // As high as its rows: what is said of them stands right below.
+  table_->setFixedHeight(table_->horizontalHeader()->sizeHint().height() +
+                         table_->rowCount() * scaled(kClosingRow_px) + 2 * table_->frameWidth());
   valid_->setText(closing.doubts.isEmpty()
                       ? tr("Valid: nothing that was recorded speaks against today's values.")
                       : tr("To be kept in mind. %1").arg(closing.doubts.join(QLatin1Char(' '))));

@@ -53,7 +53,7 @@ TEST_F(ToldToEnd, AQuestionThatStandsOpenAboveTheWindowIsNoObstacle) {
   start();
   for (const char* button : {"add_patient", "hand_right", "screening_clear"})
     ASSERT_TRUE(desktop_.click(button)) << button;
-  ASSERT_TRUE(desktop_.choose("devices", "Recording"));
+  ASSERT_TRUE(desktop_.choose("devices", "A recording …"));
   ASSERT_TRUE(desktop_.wait_for("QFileDialog"));
   expect_end(send(SIGTERM));
   expect_sound();

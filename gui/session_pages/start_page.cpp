@@ -270,6 +270,7 @@ void StartPage::refresh() {
   const auto shown = list_->currentItem() == nullptr ? QString() : list_->currentItem()->text();
   if (code != shown) {
     const QSignalBlocker quiet(list_);
+    list_->setCurrentRow(-1);  // nobody, so that a click on any row chooses
     for (int row = 0; row < list_->count(); ++row)
       if (list_->item(row)->text() == code) list_->setCurrentRow(row);
   }

@@ -147,6 +147,7 @@ TEST_F(ArmInWindows, AWholeSessionEndsWithItsTrialsInTheDatabase) {
   EXPECT_GT(operator_.find<QTableWidget>("score").rowCount(), 0);
   operator_.press("effort_3");
   operator_.press("pain_0");
+  const std::string code = state().choices.patient;
   operator_.press("closing_end");
   ASSERT_TRUE(wait_until([&] { return !state().busy(); }));
 
@@ -160,6 +161,7 @@ TEST_F(ArmInWindows, AWholeSessionEndsWithItsTrialsInTheDatabase) {
     EXPECT_EQ(trial.dropped, 0) << trial.task_name;
   }
   // This arm has been here; the other one has not.
+  windows_.presenter().choices().choose_patient(code);
   const auto choose = [&](Hand hand) { windows_.presenter().choices().choose_hand(hand); };
   choose(Hand::left);
   ASSERT_TRUE(wait_until([&] { return state().choices.first_time; }));

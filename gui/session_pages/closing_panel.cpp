@@ -71,6 +71,7 @@ void ClosingPanel::make_table() {
     table_->horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
   table_->verticalHeader()->setDefaultSectionSize(scaled(kClosingRow_px));
+  table_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   column_->addWidget(table_);
 }
 

@@ -207,15 +207,14 @@ void dress(QApplication& application, int font_percent) {
   palette.setColor(QPalette::HighlightedText, Qt::white);
   palette.setColor(QPalette::PlaceholderText, look::kQuietText);
   application.setPalette(palette);
-  application.setStyleSheet(
-      coloured(kStyleSheet)
-          .replace("%TOUCH%", QString::number(scaled(kTouch_px) - kBarAround_px))
-          .replace("%LINE%", QString::number(scaled(kLine_px)))
-          .replace("%ARROW%", QString::number(scaled(kArrow_px)))
-          .replace("%BAR%", QString::number(scaled(kBar_px)))
-          .replace("%LARGE%", QString::number(kLarge_pt * larger))
-          .replace("%NUMBER%", QString::number(kNumber_pt * larger))
-          .replace("%TITLE%", QString::number(kTitle_pt * larger)));
+  application.setStyleSheet(coloured(kStyleSheet)
+                                .replace("%TOUCH%", QString::number(kTouch_px - kBarAround_px))
+                                .replace("%LINE%", QString::number(scaled(kLine_px)))
+                                .replace("%ARROW%", QString::number(scaled(kArrow_px)))
+                                .replace("%BAR%", QString::number(scaled(kBar_px)))
+                                .replace("%LARGE%", QString::number(kLarge_pt * larger))
+                                .replace("%NUMBER%", QString::number(kNumber_pt * larger))
+                                .replace("%TITLE%", QString::number(kTitle_pt * larger)));
 }
 
 int scaled(int usual_px) noexcept {

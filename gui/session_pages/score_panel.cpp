@@ -51,7 +51,8 @@ ScorePanel::ScorePanel(const Clinic& clinic, SessionPresenter& presenter, QWidge
   column_->insertLayout(0, top);
   column_->addLayout(key);
   column_->addWidget(remark_);
-  column_->addWidget(table_, 1);
+  column_->addWidget(table_, 100);
+  column_->addStretch(1);  // without the table nothing is pulled apart
   connect(all_, &QPushButton::toggled, table_, &QWidget::setVisible);
   connect(&presenter_.flow(), &SessionFlow::score_changed, this, &ScorePanel::refresh);
   connect(&presenter_.flow(), &SessionFlow::changed, this, &ScorePanel::refresh);

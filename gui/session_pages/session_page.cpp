@@ -102,22 +102,19 @@ void SessionPage::arrange() {
   for (QWidget* part : {static_cast<QWidget*>(prepare_), watch_, run_}) grid_->removeWidget(part);
   prepare_->setMinimumWidth(folded_ ? 0 : scaled(in_a_row_ ? 290 : 260));
   prepare_->setMaximumWidth(folded_ || !in_a_row_ ? QWIDGETSIZE_MAX : scaled(360));
+  const int columns = in_a_row_ ? 3 : 2;
+  grid_->addWidget(prepare_, folded_ ? 0 : 1, 0, 1, folded_ ? columns : 1);
+  // What is watched takes the place of the folded steps, with large letters what is run does.
+  const int first = folded_ ? 0 : 1;
+  const int wide = folded_ ? 2 : 1;
   if (in_a_row_) {
-    if (folded_)
-      grid_->addWidget(prepare_, 0, 0, 1, 3);
-    else
-      grid_->addWidget(prepare_, 1, 0);
-    grid_->addWidget(watch_, 1, folded_ ? 0 : 1, 1, folded_ ? 2 : 1);
+    grid_->addWidget(watch_, 1, first, 1, wide);
     grid_->addWidget(run_, 1, 2);
     grid_->setColumnStretch(1, 5);
     grid_->setColumnStretch(2, 2);
   } else {
-    if (folded_)
-      grid_->addWidget(prepare_, 0, 0, 1, 2);
-    else
-      grid_->addWidget(prepare_, 1, 0);
-    grid_->addWidget(run_, 1, folded_ ? 0 : 1, 1, folded_ ? 2 : 1);
-    grid_->addWidget(watch_, 2, 0, 1, 2);
+    grid_->addWidget(run_, 1, first, 1, wide);
+    grid_->addWidget(watch_, 2, 0, 1, columns);
     grid_->setColumnStretch(1, 2);
   }
   grid_->setColumnStretch(0, 2);

@@ -3,35 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 
 #include <Inventor/nodes/SoIndexedTriangleStripSet.h>
-#include <Inventor/nodes/SoVertexProperty.h>
+
+#include "gui/solids/ring_mesh.hpp"
 
 namespace isograsp::gui::scene_nodes {
 
 namespace {
-
-SoNode* make_strips(const std::vector<SbVec3f>& points, const std::vector<SbVec3f>& normals,
-                    int rings, int sectors) {
-  std::vector<int32_t> strips;
-  for (int i = 0; i + 1 < rings; ++i) {
-    for (int j = 0; j <= sectors; ++j) {
-      strips.push_back(i * sectors + j % sectors);
-      strips.push_back((i + 1) * sectors + j % sectors);
-    }
-    strips.push_back(SO_END_STRIP_INDEX);
-  }
-  auto* vertices = new SoVertexProperty;
-  vertices->vertex.setValues(0, static_cast<int>(points.size()), points.data());
-  vertices->normal.setValues(0, static_cast<int>(normals.size()), normals.data());
-  vertices->normalBinding.setValue(SoVertexProperty::PER_VERTEX_INDEXED);
-  auto* surface = new SoIndexedTriangleStripSet;
-  surface->vertexProperty.setValue(vertices);
-  surface->coordIndex.setValues(0, static_cast<int>(strips.size()), strips.data());
-  return surface;
-}
 
 float angle_of(int sector, int sectors) {
   return 2.0F * std::numbers::pi_v<float> * static_cast<float>(sector) /
@@ -64,7 +44,7 @@ SoNode* make_lathe(const std::vector<Turned>& outline, int sectors) {
       normals.emplace_back(out[0] * c, out[1], out[0] * s);
     }
   }
-  return make_strips(points, normals, static_cast<int>(outline.size()), sectors);
+  return make_ring_mesh(points, normals, sectors);
 }
 
 SoNode* make_tube(const std::vector<SbVec3f>& line, float radius_m, int sectors) {
@@ -83,7 +63,7 @@ SoNode* make_tube(const std::vector<SbVec3f>& line, float radius_m, int sectors)
       points.push_back(line[i] + out * radius_m);
     }
   }
-  return make_strips(points, normals, static_cast<int>(line.size()), sectors);
+  return make_ring_mesh(points, normals, sectors);
 }
 
 }  // namespace isograsp::gui::scene_nodes

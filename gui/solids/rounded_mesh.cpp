@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include <Inventor/nodes/SoIndexedTriangleStripSet.h>
-#include <Inventor/nodes/SoVertexProperty.h>
 
+#include "gui/solids/ring_mesh.hpp"
 #include "gui/solids/scene_nodes.hpp"
 
 namespace isograsp::gui::scene_nodes {
@@ -49,22 +49,7 @@ SoNode* make_rounded(const std::vector<Ball>& balls, int fine) {
       points.push_back(to_sb(point_of(balls, way)));
       normals.push_back(to_sb(way));
     }
-  std::vector<int32_t> strips;
-  for (int i = 0; i < rings; ++i) {
-    for (int j = 0; j <= sectors; ++j) {
-      strips.push_back(i * sectors + j % sectors);
-      strips.push_back((i + 1) * sectors + j % sectors);
-    }
-    strips.push_back(SO_END_STRIP_INDEX);
-  }
-  auto* vertices = new SoVertexProperty;
-  vertices->vertex.setValues(0, static_cast<int>(points.size()), points.data());
-  vertices->normal.setValues(0, static_cast<int>(normals.size()), normals.data());
-  vertices->normalBinding.setValue(SoVertexProperty::PER_VERTEX_INDEXED);
-  auto* surface = new SoIndexedTriangleStripSet;
-  surface->vertexProperty.setValue(vertices);
-  surface->coordIndex.setValues(0, static_cast<int>(strips.size()), strips.data());
-  return surface;
+  return make_ring_mesh(points, normals, sectors);
 }
 
 }  // namespace isograsp::gui::scene_nodes

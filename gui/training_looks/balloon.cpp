@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A wide sky: the band is a lane of bright air, the own force a hot-air balloon
-// in it.
+// A wide sky: the band is a lane of bright air, the own force a hot-air balloon in it.
 #include <cmath>
 
 #include "gui/training_looks/curve_looks.hpp"
@@ -16,7 +15,7 @@ struct SkyColours {
   QColor top, middle, low, far_hills, hills, near_hills, lane, edge, cloud;
 };
 
-const SkyColours &sky_colours(tasks::Daylight light) {
+const SkyColours& sky_colours(tasks::Daylight light) {
   static const SkyColours kMorning{{0x9F, 0xC4, 0xDD}, {0xD5, 0xE3, 0xE8}, {0xF8, 0xE3, 0xCC},
                                    {0xB9, 0xC9, 0xD3}, {0x93, 0xB0, 0xAE}, {0x6E, 0x94, 0x80},
                                    {0xFF, 0xF8, 0xE6}, {0x8A, 0x63, 0x1E}, {0xFF, 0xFF, 0xFF}};
@@ -29,7 +28,7 @@ const SkyColours &sky_colours(tasks::Daylight light) {
   return in(light, kMorning, kDay, kEvening);
 }
 
-void paint_sky(QPainter &painter, const QRectF &area, const SkyColours &colours) {
+void paint_sky(QPainter& painter, const QRectF& area, const SkyColours& colours) {
   QLinearGradient up(area.topLeft(), area.bottomLeft());
   up.setColorAt(0.0, colours.top);
   up.setColorAt(0.55, colours.middle);
@@ -38,13 +37,13 @@ void paint_sky(QPainter &painter, const QRectF &area, const SkyColours &colours)
 }
 
 /// Hills in three distances; those farther away go by more slowly.
-void paint_hills(QPainter &painter, const CurveView &view, const SkyColours &colours) {
+void paint_hills(QPainter& painter, const CurveView& view, const SkyColours& colours) {
   struct Range {
-    const QColor &colour;
+    const QColor& colour;
     double pace, height, rise, wide;
   };
-  const QRectF &field = view.field;
-  for (const Range &range : {Range{colours.far_hills, 0.12, 0.17, 0.050, 0.55},
+  const QRectF& field = view.field;
+  for (const Range& range : {Range{colours.far_hills, 0.12, 0.17, 0.050, 0.55},
                              Range{colours.hills, 0.28, 0.11, 0.035, 0.8},
                              Range{colours.near_hills, 0.55, 0.055, 0.022, 1.2}}) {
     QPolygonF land;
@@ -65,8 +64,8 @@ void paint_hills(QPainter &painter, const CurveView &view, const SkyColours &col
   }
 }
 
-void paint_clouds(QPainter &painter, const CurveView &view, const SkyColours &colours) {
-  const QRectF &field = view.field;
+void paint_clouds(QPainter& painter, const CurveView& view, const SkyColours& colours) {
+  const QRectF& field = view.field;
   constexpr double kApart = 0.42;  // heights of the field
   constexpr double kPace = 0.22;
   const double gone = kPace * view.begin_s * view.px_per_s / field.height();
@@ -93,26 +92,19 @@ void paint_clouds(QPainter &painter, const CurveView &view, const SkyColours &co
   }
 }
 
-void paint_lane(QPainter &painter, const CurveView &view, const SkyColours &colours) {
+void paint_lane(QPainter& painter, const CurveView& view, const SkyColours& colours) {
   const double unit = view.field.height();
-  for (const QPolygonF &line : view.targets) {
+  for (const QPolygonF& line : view.targets) {
     if (line.size() < 2) continue;
-    const double edge = 0.0025 * unit;
-    painter.setPen(Qt::NoPen);
-    for (const auto &[half_px, colour] :
-         {std::pair{view.half_band_px + 0.013 * unit, mixed(colours.middle, colours.lane, 0.5)},
-          {view.half_band_px + edge, colours.edge},
-          {view.half_band_px - edge, colours.lane}}) {
-      painter.setBrush(colour);
-      painter.drawPolygon(stripe(line, half_px));
-    }
+    paint_way(painter, view, line, 0.013 * unit,
+              {mixed(colours.middle, colours.lane, 0.5), colours.edge, colours.lane});
     painter.setPen(QPen(colours.edge, 0.004 * unit, Qt::SolidLine, Qt::RoundCap));
     paint_dashes(painter, view, line);
   }
 }
 
 /// The middle of its envelope is the mark.
-void draw_balloon(QPainter &painter) {
+void draw_balloon(QPainter& painter) {
   const QColor red(0xA8, 0x32, 0x2C);
   const QColor cream(0xF7, 0xE8, 0xC8);
   QPainterPath envelope(QPointF(-0.34, 1.62));
@@ -134,7 +126,7 @@ void draw_balloon(QPainter &painter) {
   painter.save();
   painter.setClipPath(envelope);
   painter.setBrush(cream);
-  for (const auto &[outer, inner] : {std::pair{1.25, 0.80}, {0.36, -0.36}, {-0.80, -1.25}}) {
+  for (const auto& [outer, inner] : {std::pair{1.25, 0.80}, {0.36, -0.36}, {-0.80, -1.25}}) {
     QPainterPath gore(QPointF(0.0, -1.47));
     gore.quadTo(QPointF(1.35 * outer, -0.95), QPointF(outer, 0.05));
     gore.quadTo(QPointF(0.75 * outer, 1.0), QPointF(0.25 * outer, 1.7));
@@ -157,13 +149,13 @@ void draw_balloon(QPainter &painter) {
 
 }  // namespace
 
-void paint_balloon(QPainter &painter, const CurveView &view) {
+void paint_balloon(QPainter& painter, const CurveView& view) {
   static thread_local Backdrop sky;
-  const SkyColours &colours = sky_colours(view.light);
+  const SkyColours& colours = sky_colours(view.light);
   painter.save();
   painter.setClipRect(view.field);
   sky.draw(painter, view.field, view.light,
-           [&](QPainter &once, const QRectF &area) { paint_sky(once, area, colours); });
+           [&](QPainter& once, const QRectF& area) { paint_sky(once, area, colours); });
   paint_clouds(painter, view, colours);
   paint_hills(painter, view, colours);
   painter.setPen(QPen(QColor(255, 255, 255, 170), 0.006 * view.field.height()));

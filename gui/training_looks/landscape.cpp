@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace isograsp::gui::landscape {
 
@@ -16,8 +17,8 @@ double scattered(std::int64_t place, int salt) noexcept {
   return static_cast<double>(bits >> 40U) / kRange;
 }
 
-void Backdrop::draw(QPainter &painter, const QRectF &field, tasks::Daylight light,
-                    const Paint &paint) {
+void Backdrop::draw(QPainter& painter, const QRectF& field, tasks::Daylight light,
+                    const Paint& paint) {
   const QSize size = field.toAlignedRect().size();
   if (image_.size() != size || light_ != light) {
     image_ = QImage(size, QImage::Format_RGB32);
@@ -29,24 +30,37 @@ void Backdrop::draw(QPainter &painter, const QRectF &field, tasks::Daylight ligh
   painter.drawImage(field.toAlignedRect().topLeft(), image_);
 }
 
-QPolygonF stripe(const QPolygonF &line, double half_px) {
+QPolygonF stripe(const QPolygonF& line, double half_px) {
   QPolygonF all = shifted(line, -half_px);
   for (auto point = line.rbegin(); point != line.rend(); ++point)
     all.append(*point + QPointF(0, half_px));
   return all;
 }
 
-QPolygonF shifted(const QPolygonF &line, double down_px) {
+void paint_way(QPainter& painter, const CurveView& view, const QPolygonF& line, double shade_px,
+               const WayColours& colours) {
+  // Its edges are a wider stripe below it: outlines of so many corners cost more.
+  const double edge_px = 0.0025 * view.field.height();
+  painter.setPen(Qt::NoPen);
+  for (const auto& [half_px, colour] : {std::pair{view.half_band_px + shade_px, colours.shade},
+                                        {view.half_band_px + edge_px, colours.edge},
+                                        {view.half_band_px - edge_px, colours.way}}) {
+    painter.setBrush(colour);
+    painter.drawPolygon(stripe(line, half_px));
+  }
+}
+
+QPolygonF shifted(const QPolygonF& line, double down_px) {
   return line.translated(0, down_px);
 }
 
-QColor mixed(const QColor &a, const QColor &b, double share) {
+QColor mixed(const QColor& a, const QColor& b, double share) {
   const auto mix = [share](double from, double to) { return from + share * (to - from); };
   return QColor::fromRgbF(mix(a.redF(), b.redF()), mix(a.greenF(), b.greenF()),
                           mix(a.blueF(), b.blueF()), mix(a.alphaF(), b.alphaF()));
 }
 
-void Sprite::draw(QPainter &painter, const QPointF &at, double unit_px, Paint paint) {
+void Sprite::draw(QPainter& painter, const QPointF& at, double unit_px, Paint paint) {
   const double reach = kReach * unit_px;
   if (unit_px_ != unit_px) {
     unit_px_ = unit_px;
@@ -68,7 +82,7 @@ void Sprite::draw(QPainter &painter, const QPointF &at, double unit_px, Paint pa
   painter.restore();
 }
 
-void paint_dashes(QPainter &painter, const CurveView &view, const QPolygonF &line) {
+void paint_dashes(QPainter& painter, const CurveView& view, const QPolygonF& line) {
   constexpr double kApart_s = 0.12;
   for (int k = 0; k + 1 < line.size(); ++k) {
     const double s = (line[k].x() - view.field.left()) / view.px_per_s + view.begin_s;
@@ -77,8 +91,8 @@ void paint_dashes(QPainter &painter, const CurveView &view, const QPolygonF &lin
   }
 }
 
-double heading_deg(const CurveView &view) {
-  for (const QPolygonF &line : view.targets)
+double heading_deg(const CurveView& view) {
+  for (const QPolygonF& line : view.targets)
     for (int k = 0; k + 1 < line.size(); ++k)
       if (line[k].x() <= view.mark.x() && view.mark.x() < line[k + 1].x()) {
         const QPointF way = line[k + 1] - line[k];
@@ -87,8 +101,8 @@ double heading_deg(const CurveView &view) {
   return 0.0;
 }
 
-void paint_own(QPainter &painter, const CurveView &view, double radius_px) {
-  const QPointF &at = view.mark;
+void paint_own(QPainter& painter, const CurveView& view, double radius_px) {
+  const QPointF& at = view.mark;
   painter.setPen(QPen(Qt::white, 0.28 * radius_px));
   painter.setBrush(view.on_target ? QColor(0x00, 0x66, 0x45) : QColor(0x0B, 0x3F, 0x78));
   const double radius = view.on_target ? 1.25 * radius_px : radius_px;

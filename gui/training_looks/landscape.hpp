@@ -54,6 +54,12 @@ class Sprite {
 [[nodiscard]] QPolygonF stripe(const QPolygonF& line, double half_px);
 [[nodiscard]] QPolygonF shifted(const QPolygonF& line, double down_px);
 [[nodiscard]] QColor mixed(const QColor& a, const QColor& b, double share);
+/// The band about a line: within its edges, and with a shade so far beyond them.
+struct WayColours {
+  QColor shade, edge, way;
+};
+void paint_way(QPainter& painter, const CurveView& view, const QPolygonF& line, double shade_px,
+               const WayColours& colours);
 /// A dash every quarter of a second, which goes with the line.
 void paint_dashes(QPainter& painter, const CurveView& view, const QPolygonF& line);
 /// How steeply the target runs at the mark, clockwise; 0 where there is none.

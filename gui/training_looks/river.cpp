@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A broad river from above: the band is its fairway between buoys, the own
-// force a sailing boat.
+// A broad river from above: the band is its fairway between buoys, the own force a sailing boat.
 #include <algorithm>
 #include <cmath>
 
@@ -18,7 +17,7 @@ struct RiverColours {
   QColor shallow, deep, fairway, edge, ripple, land, wood, sand;
 };
 
-const RiverColours &river_colours(tasks::Daylight light) {
+const RiverColours& river_colours(tasks::Daylight light) {
   static const RiverColours kMorning{{0xCF, 0xE3, 0xE2}, {0xB4, 0xD3, 0xD6}, {0x4F, 0x93, 0xA3},
                                      {0x1E, 0x5A, 0x6B}, {0xF4, 0xFA, 0xF8}, {0xC9, 0xD8, 0xAE},
                                      {0x6F, 0x93, 0x68}, {0xEF, 0xE4, 0xC8}};
@@ -32,7 +31,7 @@ const RiverColours &river_colours(tasks::Daylight light) {
 }
 
 /// Water that grows deeper towards the middle.
-void paint_water(QPainter &painter, const QRectF &area, const RiverColours &colours) {
+void paint_water(QPainter& painter, const QRectF& area, const RiverColours& colours) {
   QLinearGradient across(area.topLeft(), area.bottomLeft());
   across.setColorAt(0.0, colours.shallow);
   across.setColorAt(0.5, colours.deep);
@@ -41,8 +40,8 @@ void paint_water(QPainter &painter, const QRectF &area, const RiverColours &colo
 }
 
 /// One bank: a soft line of land with its beach, that goes by.
-void paint_bank(QPainter &painter, const CurveView &view, const RiverColours &colours, bool upper) {
-  const QRectF &field = view.field;
+void paint_bank(QPainter& painter, const CurveView& view, const RiverColours& colours, bool upper) {
+  const QRectF& field = view.field;
   const double depth = 0.075 * field.height();
   const double from = upper ? field.top() : field.bottom();
   const double inward = upper ? 1.0 : -1.0;
@@ -86,7 +85,7 @@ void paint_bank(QPainter &painter, const CurveView &view, const RiverColours &co
   }
 }
 
-void draw_ripple(QPainter &painter) {
+void draw_ripple(QPainter& painter) {
   painter.setPen(QPen(QColor(255, 255, 255, 150), 0.42, Qt::SolidLine, Qt::RoundCap));
   QPainterPath wave(QPointF(-4.0, 0.3));
   wave.quadTo(QPointF(-2.0, -0.9), QPointF(0.0, 0.0));
@@ -94,9 +93,9 @@ void draw_ripple(QPainter &painter) {
   painter.drawPath(wave);
 }
 
-void paint_ripples(QPainter &painter, const CurveView &view) {
+void paint_ripples(QPainter& painter, const CurveView& view) {
   static thread_local Sprite ripple;
-  const QRectF &field = view.field;
+  const QRectF& field = view.field;
   constexpr double kApart_s = 0.30;
   const auto first = static_cast<std::int64_t>(std::floor(view.begin_s / kApart_s)) - 1;
   const auto last = static_cast<std::int64_t>(
@@ -112,21 +111,12 @@ void paint_ripples(QPainter &painter, const CurveView &view) {
 }
 
 /// The way that the boat is asked to keep, between two lines of buoys.
-void paint_fairway(QPainter &painter, const CurveView &view, const RiverColours &colours) {
+void paint_fairway(QPainter& painter, const CurveView& view, const RiverColours& colours) {
   const double unit = view.field.height();
-  for (const QPolygonF &line : view.targets) {
+  for (const QPolygonF& line : view.targets) {
     if (line.size() < 2) continue;
-    // Its edges are a wider stripe below it: outlines of so many corners cost
-    // more.
-    const double edge = 0.0025 * unit;
-    painter.setPen(Qt::NoPen);
-    for (const auto &[half_px, colour] :
-         {std::pair{view.half_band_px + 0.010 * unit, mixed(colours.fairway, colours.deep, 0.6)},
-          {view.half_band_px + edge, colours.edge},
-          {view.half_band_px - edge, colours.fairway}}) {
-      painter.setBrush(colour);
-      painter.drawPolygon(stripe(line, half_px));
-    }
+    paint_way(painter, view, line, 0.010 * unit,
+              {mixed(colours.fairway, colours.deep, 0.6), colours.edge, colours.fairway});
     QColor middle = colours.ripple;
     middle.setAlpha(190);
     painter.setPen(QPen(middle, 0.005 * unit, Qt::SolidLine, Qt::RoundCap));
@@ -134,12 +124,12 @@ void paint_fairway(QPainter &painter, const CurveView &view, const RiverColours 
   }
 }
 
-void paint_buoys(QPainter &painter, const CurveView &view) {
+void paint_buoys(QPainter& painter, const CurveView& view) {
   constexpr double kApart_s = 0.75;
   const double radius = 0.012 * view.field.height();
-  for (const QPolygonF &line : view.targets) {
+  for (const QPolygonF& line : view.targets) {
     for (int k = 0; k + 1 < line.size(); ++k) {
-      const auto second = [&](const QPointF &p) {
+      const auto second = [&](const QPointF& p) {
         return ((p.x() - view.field.left()) / view.px_per_s + view.begin_s) / kApart_s;
       };
       const double here = std::floor(second(line[k + 1]));
@@ -160,7 +150,7 @@ void paint_buoys(QPainter &painter, const CurveView &view) {
 }
 
 /// A small sailing boat from above, its bow to the right; its mast is the mark.
-void draw_boat(QPainter &painter) {
+void draw_boat(QPainter& painter) {
   painter.setPen(Qt::NoPen);
   for (const double side : {-1.0, 1.0}) {  // its wake, ever wider
     QPainterPath wake(QPointF(-1.2, 0.35 * side));
@@ -196,7 +186,7 @@ void draw_boat(QPainter &painter) {
   painter.setPen(QPen(QColor(0x5A, 0x35, 0x1A), 0.12));
   for (const double x : {-0.95, 0.95}) painter.drawLine(QPointF(x, -0.62), QPointF(x, 0.62));
   // Sail and foresail, bellied by the wind.
-  const auto cloth = [&painter](const QPointF &fore, const QPointF &aft, double belly) {
+  const auto cloth = [&painter](const QPointF& fore, const QPointF& aft, double belly) {
     QPainterPath sail(fore);
     const QPointF middle = 0.5 * (fore + aft) + QPointF(0, -belly);
     sail.quadTo(middle, aft);
@@ -212,7 +202,7 @@ void draw_boat(QPainter &painter) {
   cloth({2.1, -0.05}, {0.25, -0.40}, 0.75);
 }
 
-void paint_boat(QPainter &painter, const CurveView &view) {
+void paint_boat(QPainter& painter, const CurveView& view) {
   static thread_local Sprite boat;
   const double r = view.mark_radius_px;
   constexpr double kSteepest_deg = 32.0;
@@ -226,13 +216,13 @@ void paint_boat(QPainter &painter, const CurveView &view) {
 
 }  // namespace
 
-void paint_river(QPainter &painter, const CurveView &view) {
+void paint_river(QPainter& painter, const CurveView& view) {
   static thread_local Backdrop water;
-  const RiverColours &colours = river_colours(view.light);
+  const RiverColours& colours = river_colours(view.light);
   painter.save();
   painter.setClipRect(view.field);
   water.draw(painter, view.field, view.light,
-             [&](QPainter &once, const QRectF &area) { paint_water(once, area, colours); });
+             [&](QPainter& once, const QRectF& area) { paint_water(once, area, colours); });
   paint_ripples(painter, view);
   paint_bank(painter, view, colours, true);
   paint_bank(painter, view, colours, false);

@@ -166,6 +166,12 @@ void Connecting::disconnect_device() {
   if (flow_.view().may_disconnect) end_session();
 }
 
+void Connecting::take_other_hand() {
+  if (!flow_.view().may_take_other_hand) return;
+  follows_ = other_than(*state_.open->session->known().record.hand);
+  end_session();
+}
+
 void Connecting::end_session() {
   cancel();
   if (!state_.open) return;
@@ -212,6 +218,8 @@ void Connecting::close() {
     if (lost && !state_.broken_off())  // the last look found it
       connection.failure = {translated(*lost).toStdString(), true, false, false};
     choices_.ask_anew();
+    if (const auto hand = std::exchange(follows_, std::nullopt); hand && !lost)
+      choices_.follow_with(*hand);
     clinic_.load_history(state_.choices.patient);
     flow_.update();
     Q_EMIT flow_.settled();
@@ -232,6 +240,11 @@ void Connecting::close_on_worker(std::unique_ptr<session::Session> session, Clos
 }
 
 void Connecting::look() {
+  bool& follows = state_.choices.today.follows_other_hand;
+  if (follows && flow_.view().may_connect) {
+    follows = false;  // what fails is tried again by a press
+    connect_device();
+  }
   ConnectionState& connection = state_.connection;
   if (connection.failure && connection.phase == Connection::none && room_.has_come_back())
     connection.failure.reset();

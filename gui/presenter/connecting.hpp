@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "gui/clinic/disk_room.hpp"
@@ -25,13 +26,17 @@ class Connecting {
   /// there.
   void cancel();
   void disconnect_device();
+  /// The session of one hand ends and that of the other begins, on the same device: it is connected
+  /// by itself as soon as everything that is asked before has been said.
+  void take_other_hand();
   /// At once, whatever is running or being opened: the program is about to end.
   void end_session();
   /// A lawful basis was recorded: what was refused for want of one may be tried again.
   void basis_recorded();
   /// It cannot go on: why. @pre a session is open
   void break_off(const std::string& why);
-  /// Once a poll: a full disk is no reason any more when it has room again.
+  /// Once a poll: the device of a hand that follows the other one is connected; a full disk is no
+  /// reason any more when it has room again.
   void look();
 
  private:
@@ -54,6 +59,7 @@ class Connecting {
   const Clock& clock_;
   SessionChoices& choices_;
   NextWork& next_;
+  std::optional<Hand> follows_;  ///< when the session has been closed
   DiskRoom room_;               ///< after a session that could not be opened or go on
   bool realtime_said_ = false;  ///< on standard error, once
 };

@@ -69,6 +69,7 @@ void SessionChoices::choose_hand(Hand hand) {
   }
   today.hand = hand;
   today.hand_confirmed = false;
+  today.follows_other_hand = false;
   look_for_earlier();
   seating_.look(state_.choices.patient, hand);
   flow_.update();
@@ -150,6 +151,7 @@ void SessionChoices::choose_device(const std::string& uri) {
   if (!flow_.view().may_change_device) return;
   state_.choices.device_uri = uri;
   state_.choices.today.size_of_other = false;
+  state_.choices.today.follows_other_hand = false;
   state_.choices.apparatus = session::kind_of_apparatus(uri, state_.config.apparatuses);
   state_.connection.failure.reset();
   look_for_earlier();
@@ -187,6 +189,13 @@ void SessionChoices::ask_anew() {
   leave_both_hands();
   state_.choices.today = {};
   look_for_earlier();  // for nobody yet: what was asked before counts no more
+}
+
+void SessionChoices::follow_with(Hand hand) {
+  flow_.decide();  // the session before is closed
+  choose_hand(hand);
+  state_.choices.today.follows_other_hand = state_.choices.today.hand == hand;
+  flow_.update();
 }
 
 void SessionChoices::look_for_earlier() {

@@ -41,6 +41,8 @@ class SessionChoices final : public QObject {
 
   /// Before every session: hand and screening.
   void ask_anew();
+  /// The other hand of the same person, after a session of one: all else is asked as before any.
+  void follow_with(Hand hand);
   /// Asks the database whether the chosen protocol was interrupted today, whether this hand has
   /// worked with such a device before, and whether the other one was measured.
   void look_for_earlier();

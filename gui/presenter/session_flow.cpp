@@ -125,6 +125,7 @@ FlowFacts SessionFlow::facts() const {
   facts.look_only = state_.config.look_only;
   facts.patient_chosen = !choices.patient.empty();
   facts.hand_to_confirm = hand_to_confirm();
+  facts.follows_other_hand = choices.today.follows_other_hand;
   facts.both_hands = measures_both(state_);
   facts.hand_chosen = choices.today.both || (choices.today.hand && !facts.hand_to_confirm);
   facts.screened = state_.measures_arm()    ? choices.today.arm_screening.complete()

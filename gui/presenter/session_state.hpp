@@ -62,6 +62,8 @@ struct Choices {
     std::optional<Hand> hand;
     bool both = false;  ///< hands work at once, each on a platform; `hand` is nothing then
     bool hand_confirmed = false;  ///< by a press
+    /// It follows the other one on the same device, which is connected again by itself.
+    bool follows_other_hand = false;
     Screening screening;
     BothScreenings screenings;     ///< of both hands, in its place
     ArmScreening arm_screening;    ///< of an arm seen by cameras, in its place

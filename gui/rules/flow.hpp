@@ -59,6 +59,7 @@ struct FlowFacts {
   bool look_only = false;      ///< another program works with the file: no session can begin
   bool patient_chosen = false;
   bool hand_chosen = false;
+  bool follows_other_hand = false;  ///< on the same device, which is connected by itself
   bool hand_to_confirm = false;    ///< it is not the affected one: nobody has confirmed it yet
   bool screened = false;           ///< questions answered, decision made
   bool earlier_sought = false;     ///< whether there is an interrupted protocol is being looked up
@@ -258,6 +259,7 @@ struct FlowView {
   bool may_connect = false;
   bool may_cancel_connecting = false;
   bool may_disconnect = false;
+  bool may_take_other_hand = false;  ///< after this one, on the same device
   bool may_zero = false;
   bool may_accept_changed = false;  ///< the refused zero may be repeated as "serviced or remounted"
   bool may_check = false;           ///< the supports, with the hand out

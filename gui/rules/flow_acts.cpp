@@ -152,6 +152,7 @@ void decide_acts(const FlowFacts& facts, FlowView& view) {
   view.may_cancel_connecting = facts.connection == Connection::opening;
   view.may_disconnect =
       open && !in_trial(facts) && facts.stage != session::Stage::zeroing && !facts.zero_asked;
+  view.may_take_other_hand = view.may_disconnect && !facts.both_hands && !facts.recorded;
   decide_between_trials(facts, sound, view);
   view.must_stand_by = view.device_mood == Mood::fault || facts.straps_due || !has_zero(facts) ||
                        !facts.zero_refusal.empty();

@@ -119,6 +119,12 @@ QString words_before_session(Situation situation, const FlowFacts& facts) {
         return FlowTexts::tr("Which hand is in the device today? Choose right or left.");
       return FlowTexts::tr("Which hand works today? Choose right or left.");
     case Situation::screen:
+      if (facts.follows_other_hand)
+        return facts.start_posture
+                   ? FlowTexts::tr("Ask the screening questions for the other arm. The cameras then "
+                                   "connect by themselves.")
+                   : FlowTexts::tr("Ask the screening questions for the other hand. The device then "
+                                   "connects by itself.");
       if (facts.start_posture)
         return FlowTexts::tr("Ask the screening questions before any movement.");
       if (facts.device_chosen)

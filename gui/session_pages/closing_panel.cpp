@@ -7,6 +7,7 @@
 #include "gui/clinic/patient_course.hpp"
 #include "gui/look/look.hpp"
 #include "gui/look/value_table.hpp"
+#include "gui/session_pages/other_hand_button.hpp"
 #include "gui/words/language.hpp"
 #include "gui/words/texts.hpp"
 #include "reports/findings/progress_report.hpp"
@@ -91,7 +92,10 @@ void ClosingPanel::make_buttons() {
               tr("Ends the session and shows who comes today (F8)"));
   auto* row = new QHBoxLayout;
   row->setSpacing(8);
-  for (QPushButton* button : {print_, report_, end_}) row->addWidget(button, 1);
+  auto* other_hand = new OtherHandButton(presenter_, "closing_other_hand");
+  other_hand->setMinimumHeight(scaled(38));
+  for (QPushButton* button : {print_, report_, static_cast<QPushButton*>(other_hand), end_})
+    row->addWidget(button, 1);
   column_->addLayout(row);
   connect(print_, &QPushButton::clicked, this, [this] {
     if (pages_ == nullptr || !pages_->patient_page()) return;

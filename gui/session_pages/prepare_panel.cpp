@@ -15,6 +15,7 @@
 #include "gui/look/look.hpp"
 #include "gui/session_pages/device_forms.hpp"
 #include "gui/session_pages/entry_form.hpp"
+#include "gui/session_pages/other_hand_button.hpp"
 #include "gui/session_pages/patient_form.hpp"
 #include "gui/session_pages/posture_form.hpp"
 #include "gui/session_pages/protocol_form.hpp"
@@ -168,6 +169,7 @@ QWidget* PreparePanel::make_hand() {
   column->addLayout(row);
   column->addWidget(both_);
   column->addWidget(confirm_hand_);
+  column->addWidget(new OtherHandButton(presenter_, "other_hand"));
   return body;
 }
 

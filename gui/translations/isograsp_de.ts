@@ -989,6 +989,14 @@
         <source>The protocol is finished. Write the report, or disconnect to end.</source>
         <translation>Das Protokoll ist beendet. Schreiben Sie den Bericht oder trennen Sie die Verbindung.</translation>
     </message>
+    <message>
+        <source>Ask the screening questions for the other arm. The cameras then connect by themselves.</source>
+        <translation>Stellen Sie die Vorab-Fragen zum anderen Arm. Danach verbinden sich die Kameras von selbst.</translation>
+    </message>
+    <message>
+        <source>Ask the screening questions for the other hand. The device then connects by itself.</source>
+        <translation>Stellen Sie die Vorab-Fragen zur anderen Hand. Danach verbindet sich das Gerät von selbst.</translation>
+    </message>
 </context>
 <context>
     <name>Hand</name>
@@ -5439,6 +5447,29 @@ Neu verbunden: %7</translation>
     <message>
         <source>x to the right, y up; arrows: fingers or hands, and where they press; outlines: targets in their order, dashed: where an object appears</source>
         <translation>x nach rechts, y nach oben; Pfeile: Finger oder Hände und wo sie drücken; Umrisse: Ziele in ihrer Reihenfolge, gestrichelt: wo ein Objekt erscheint</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::OtherHandButton</name>
+    <message>
+        <source>Now the left arm</source>
+        <translation>Jetzt der linke Arm</translation>
+    </message>
+    <message>
+        <source>Now the right arm</source>
+        <translation>Jetzt der rechte Arm</translation>
+    </message>
+    <message>
+        <source>Now the left hand</source>
+        <translation>Jetzt die linke Hand</translation>
+    </message>
+    <message>
+        <source>Now the right hand</source>
+        <translation>Jetzt die rechte Hand</translation>
+    </message>
+    <message>
+        <source>What was done is kept; screening, zero and straps are asked anew, the device stays chosen (Tab, then space)</source>
+        <translation>Was getan ist, bleibt erhalten; Vorab-Fragen, Nullabgleich und Gurte werden neu erfragt, das Gerät bleibt gewählt (Tab, dann Leertaste)</translation>
     </message>
 </context>
 <context>

@@ -989,6 +989,14 @@
         <source>The protocol is finished. Write the report, or disconnect to end.</source>
         <translation>Le protocole est terminé. Rédigez le rapport, ou déconnectez pour finir.</translation>
     </message>
+    <message>
+        <source>Ask the screening questions for the other arm. The cameras then connect by themselves.</source>
+        <translation>Posez les questions préalables pour l’autre bras. Les caméras se connectent ensuite d’elles-mêmes.</translation>
+    </message>
+    <message>
+        <source>Ask the screening questions for the other hand. The device then connects by itself.</source>
+        <translation>Posez les questions préalables pour l’autre main. L’appareil se connecte ensuite de lui-même.</translation>
+    </message>
 </context>
 <context>
     <name>Hand</name>
@@ -5439,6 +5447,29 @@ Reconnecté&#xa0;: %7</translation>
     <message>
         <source>x to the right, y up; arrows: fingers or hands, and where they press; outlines: targets in their order, dashed: where an object appears</source>
         <translation>x vers la droite, y vers le haut ; flèches : doigts ou mains, et où ils appuient ; contours : cibles dans leur ordre, en pointillé : où un objet apparaît</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::OtherHandButton</name>
+    <message>
+        <source>Now the left arm</source>
+        <translation>Maintenant le bras gauche</translation>
+    </message>
+    <message>
+        <source>Now the right arm</source>
+        <translation>Maintenant le bras droit</translation>
+    </message>
+    <message>
+        <source>Now the left hand</source>
+        <translation>Maintenant la main gauche</translation>
+    </message>
+    <message>
+        <source>Now the right hand</source>
+        <translation>Maintenant la main droite</translation>
+    </message>
+    <message>
+        <source>What was done is kept; screening, zero and straps are asked anew, the device stays chosen (Tab, then space)</source>
+        <translation>Ce qui est fait est conservé ; les questions préalables, le zéro et les sangles sont redemandés, l’appareil reste choisi (Tab, puis espace)</translation>
     </message>
 </context>
 <context>

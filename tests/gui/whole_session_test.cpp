@@ -195,6 +195,7 @@ TEST_F(WholeSession, SessionsNeedFewClicksAndNoTyping) {
   constexpr int kMostToFirstTrial = 9;
   constexpr int kMostClicks = 13;
   constexpr int kMostWhenKnown = 7;
+  constexpr int kMostForOtherHand = 5;
   auto& presenter = windows_.presenter();
   ASSERT_TRUE(wait_until([&] { return windows_.clinic().is_open(); }));
   // The battery is proposed, and takes ten minutes: a shorter one takes its place here.
@@ -258,8 +259,57 @@ TEST_F(WholeSession, SessionsNeedFewClicksAndNoTyping) {
   ASSERT_TRUE(wait_until([&] { return presenter.flow().view().may_stop; }, 90));
   EXPECT_LE(known.clicks, kMostWhenKnown);
   EXPECT_EQ(known.keys, 0);
+
+  presenter.trials().stop();
+  ASSERT_TRUE(wait_until([&] { return presenter.flow().view().may_take_other_hand; }));
+  const Counter other;
+  operator_.open_section(Step::hand);
+  for (const char* button : {"other_hand", "screening_clear", "zero", "strapped"})
+    operator_.press(button);
+  ASSERT_TRUE(wait_until([&] { return presenter.flow().view().may_stop; }, 90));
+  EXPECT_LE(other.clicks, kMostForOtherHand);
+  EXPECT_GE(other.clicks, 5) << "every press was counted";
+  EXPECT_EQ(presenter.state().open->session->known().record.hand, Hand::left);
   presenter.connecting().end_session();
   ASSERT_TRUE(wait_until([&] { return !presenter.state().busy(); }));
+}
+
+TEST_F(WholeSession, TheOtherHandIsAskedEverythingAnewButTheDevice) {
+  auto& presenter = windows_.presenter();
+  operator_.prepare("sim://healthy?seed=7");
+  operator_.open_section(Step::hand);
+  operator_.press("other_hand");
+  ASSERT_TRUE(wait_until([&] { return !presenter.state().busy(); }));
+  EXPECT_EQ(presenter.state().choices.today.hand, Hand::left);
+  EXPECT_EQ(presenter.flow().view().situation, Situation::screen)
+      << presenter.flow().view().sentence;
+  EXPECT_FALSE(presenter.state().session_open()) << "nothing is connected before the screening";
+  operator_.press("screening_clear");
+  ASSERT_TRUE(wait_until([&] { return presenter.state().session_open(); }));
+  EXPECT_EQ(presenter.state().choices.device_uri, "sim://healthy?seed=7");
+  EXPECT_FALSE(presenter.state().snapshot().zeroed);
+  operator_.disconnect();
+  auto store = storage::open_store(folder_.path("clinic.db"), storage::OpenMode::read_only);
+  const auto sessions = *(*store)->recent_sessions(3);
+  ASSERT_EQ(sessions.size(), 2U);
+  EXPECT_EQ(sessions.front().hand, Hand::left);
+  EXPECT_EQ(sessions.back().hand, Hand::right);
+  EXPECT_EQ(sessions.front().patient_id, sessions.back().patient_id);
+}
+
+TEST_F(WholeSession, ADeviceThatIsChosenForTheOtherHandWaitsForItsPress) {
+  auto& presenter = windows_.presenter();
+  operator_.prepare("sim://healthy?seed=7");
+  operator_.open_section(Step::hand);
+  operator_.press("other_hand");
+  ASSERT_TRUE(wait_until([&] { return !presenter.state().busy(); }));
+  operator_.choose_device("sim://paretic?seed=7");
+  operator_.press("screening_clear");
+  ASSERT_TRUE(wait_until([&] { return presenter.flow().view().may_connect; }));
+  int polls = 0;
+  QObject::connect(&presenter.flow(), &SessionFlow::frame, [&] { ++polls; });
+  ASSERT_TRUE(wait_until([&] { return polls > 3; }));
+  EXPECT_FALSE(presenter.state().busy());
 }
 
 TEST_F(WholeSession, AProtocolGoesOnByItselfUntilSomebodyHoldsIt) {

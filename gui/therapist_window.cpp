@@ -26,10 +26,11 @@
 #include "gui/record_pages/patient_page.hpp"
 #include "gui/record_pages/profile_panel.hpp"
 #include "gui/session_pages/device_page.hpp"
+#include "gui/session_pages/fault_card.hpp"
 #include "gui/session_pages/next_bar.hpp"
 #include "gui/session_pages/session_page.hpp"
-#include "gui/session_pages/start_page.hpp"
 #include "gui/session_pages/step_section.hpp"
+#include "gui/start_pages/start_page.hpp"
 #include "gui/words/texts.hpp"
 
 namespace isograsp::gui {
@@ -52,6 +53,9 @@ TherapistWindow::TherapistWindow(Clinic& clinic, PersonFile& file, SessionPresen
   bar_ = new NextBar(presenter_);
   connect(bar_, &NextBar::chooses, this, [this](QWidget* place) { choose_at(*place); });
   column->addWidget(bar_);
+  auto* fault = new FaultCard(presenter_);
+  bar_->put_first(*fault);
+  column->addWidget(fault);
   auto* body = new QHBoxLayout;
   body->setSpacing(0);
   body->addWidget(make_navigation());
@@ -221,6 +225,7 @@ void TherapistWindow::make_pages() {
   add_page(Page::library, tr("Library"), new LibraryPage(clinic_, presenter_));
   add_page(Page::settings, tr("Settings"), new SettingsPage(settings_, staff_));
   connect(start_, &StartPage::begin_session, this, [this] { show_page(Page::session); });
+  connect(start_, &StartPage::go_to_session, this, [this] { show_page(Page::session); });
   connect(start_, &StartPage::renewed, this, [this] { bar_->refresh(); });
   connect(start_, &StartPage::open_patient, this, [this] { show_page(Page::patient); });
   connect(start_, &StartPage::demonstration_wanted, this, [this] {

@@ -122,7 +122,8 @@ void Recorder::add_row(std::span<const double> values) {
 }
 
 void Recorder::write_block() {
-  stored(store_->append_blocks(trial_->record.id, second_, block_));
+  stored_up_to(trial_->record.session_time_s + static_cast<double>(samples_) / session_.rate_Hz,
+               store_->append_blocks(trial_->record.id, second_, block_));
   ++second_;
   for (auto& group : block_) group.clear();
 }
@@ -152,7 +153,7 @@ void Recorder::end(const RecordItem& item) {
     outcome.worked_s = worked_s.back();
   if (item.status == storage::TrialStatus::aborted)
     stored(store_->add_event({trial_id_, item.session_time_s, "abort", item.reason.english()}));
-  stored(store_->end_trial(outcome.trial, outcome.measures));
+  stored_up_to(item.session_time_s, store_->end_trial(outcome.trial, outcome.measures));
   if (item.status == storage::TrialStatus::completed && trial_->spec.kind->rests)
     outcome.rest = add_rest(item);
   trial_ = nullptr;
@@ -218,6 +219,17 @@ bool Recorder::stored(const Result<void>& result) {
   news.failure = result.error();
   publish(std::move(news));
   return false;
+}
+
+void Recorder::stored_up_to(double session_time_s, const Result<void>& result) {
+  if (!stored(result)) return;
+  const std::lock_guard lock(mutex_);
+  stored_until_s_ = session_time_s;
+}
+
+std::string Recorder::stored_until_utc() const {
+  const std::lock_guard lock(mutex_);
+  return utc_at(std::floor(stored_until_s_));
 }
 
 void Recorder::publish(SessionNews news) {

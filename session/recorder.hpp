@@ -55,6 +55,8 @@ class Recorder {
   void end_session(std::optional<double> session_time_s);
   /// Why not all of the session is in its database; nothing: it is.
   [[nodiscard]] std::optional<Error> failure() const;
+  /// All of the session up to this moment is durable; ISO 8601. Owner thread.
+  [[nodiscard]] std::string stored_until_utc() const;
 
  private:
   void take(const RecordItem& item);
@@ -73,6 +75,8 @@ class Recorder {
   void publish(SessionNews news);
   /// Reports a failed write once; what follows goes to the emergency file.
   bool stored(const Result<void>& result);
+  /// All up to that time of the session, if it was.
+  void stored_up_to(double session_time_s, const Result<void>& result);
 
   std::unique_ptr<SessionWriter> store_;
   storage::SessionRecord session_;
@@ -95,6 +99,7 @@ class Recorder {
 
   mutable std::mutex mutex_;  ///< guards what follows
   std::optional<Error> failure_;
+  double stored_until_s_ = 0.0;  ///< in the time of the session
   std::condition_variable changed_;
   std::vector<SessionNews> news_;
   std::vector<Measure> live_;

@@ -233,6 +233,10 @@ void platforms_checked(Session& session, std::optional<bool> coupled) noexcept {
   session.parts_->known.two_hands.coupled = coupled;
 }
 
+std::string stored_until_utc(const Session& session) {
+  return session.parts_->recorder->stored_until_utc();
+}
+
 const ArmSnapshot* arm_of(Session& session) noexcept {
   // What an arm publishes is one (MarkerArm::newest).
   return session.known().arm ? static_cast<const ArmSnapshot*>(&session.moment()) : nullptr;

@@ -196,6 +196,7 @@ class Session {
   friend void let_go(Session& session);
   friend void hold_clutch(Session& session, bool held);
   friend void platforms_checked(Session& session, std::optional<bool> coupled) noexcept;
+  friend std::string stored_until_utc(const Session& session);
   std::unique_ptr<Parts> parts_;
 };
 
@@ -210,6 +211,10 @@ void hold_clutch(Session& session, bool held);
 /// Two empty platforms were checked: whether one moves the other; nothing: the check was left out.
 /// Trials from now on have it beside their rows, and no shares where it does. Owner thread.
 void platforms_checked(Session& session, std::optional<bool> coupled) noexcept;
+
+/// Everything up to this moment is durable: in the database or, after a failure, where that says.
+/// ISO 8601. Owner thread.
+[[nodiscard]] std::string stored_until_utc(const Session& session);
 
 /// Newest state with all that is known of an arm seen by markers; null: it is something else.
 /// Wait-free. Owner thread.

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "gui/device_pages/device_address.hpp"
 #include "gui/look/choice_box.hpp"
 #include "gui/look/look.hpp"
 
@@ -29,14 +30,6 @@ std::vector<std::string> rigs_in(const std::string& library) {
     if (entry.path().extension() == ".toml") names.push_back(entry.path().stem());
   std::sort(names.begin(), names.end());
   return names;
-}
-
-/// With the characters escaped that a URI keeps for itself.
-std::string escaped(const std::string& words) {
-  std::string text;
-  for (const char c : words)
-    text += c == '%' ? "%25" : c == '?' ? "%3F" : c == '&' ? "%26" : std::string(1, c);
-  return text;
 }
 
 }  // namespace
@@ -90,8 +83,8 @@ std::string CamerasDialog::uri() const {
   const auto where = where_->text().trimmed().toStdString();
   const auto rig = rig_->currentText().toStdString();
   if (where.empty() || rig.empty() || source_->currentIndex() < 0) return {};
-  return kSchemes[static_cast<std::size_t>(source_->currentIndex())] + escaped(where) +
-         "?rig=" + escaped(rig);
+  return kSchemes[static_cast<std::size_t>(source_->currentIndex())] + escaped_for_uri(where) +
+         "?rig=" + escaped_for_uri(rig);
 }
 
 void CamerasDialog::choose_file() {

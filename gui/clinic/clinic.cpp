@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/clinic/clinic.hpp"
 
+#include <algorithm>
+
 #include "gui/clinic/patient_code.hpp"
 #include "gui/words/texts.hpp"
 #include "reports/findings/renewed.hpp"
@@ -80,6 +82,18 @@ void Clinic::add_patient() {
         Q_EMIT patients_changed();
         Q_EMIT patient_added(QString::fromStdString(outcome->code));
       });
+}
+
+void Clinic::remove_patient(const std::string& code) {
+  const auto patient = std::find_if(patients_.begin(), patients_.end(),
+                                    [&](const auto& one) { return one.code == code; });
+  if (!open_ || patient == patients_.end()) return;
+  worker_.run([store = store_, id = patient->id] { return (*store)->remove_patient(id); },
+              [this, code](const Result<void>& removed) {
+                if (!removed) return Q_EMIT failed(words(removed.error()));
+                std::erase_if(patients_, [&](const auto& one) { return one.code == code; });
+                Q_EMIT patients_changed();
+              });
 }
 
 void Clinic::load_history(const std::string& code) {

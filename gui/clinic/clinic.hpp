@@ -35,6 +35,9 @@ class Clinic final : public QObject {
   /// When all that was asked for before is done.
   void when_done(std::function<void()> then);
   void add_patient();  ///< with a generated code -> patients_changed(), patient_added()
+  /// Takes back somebody who was added by mistake, of whom nothing is stored -> patients_changed(),
+  /// or failed().
+  void remove_patient(const std::string& code);
   /// -> history_changed() when the answer comes. Until then the old history of the same patient
   /// stays; for another patient it is emptied at once (-> history_changed(), too).
   void load_history(const std::string& code);

@@ -17,6 +17,9 @@ constexpr const char* kDistance = "patient/viewing_distance_m";
 constexpr const char* kHeight = "patient/picture_height_m";
 constexpr const char* kDelay = "patient/display_delay_s";
 constexpr const char* kVolume = "sound/volume_percent";
+constexpr const char* kDevices = "devices";
+constexpr const char* kDeviceName = "name";
+constexpr const char* kDeviceAddress = "address";
 constexpr const char* kShare = "live_grip_in_percent_of_maximum";
 
 /// Reads numbers and says what was wrong with them.
@@ -44,6 +47,29 @@ class Reader {
   QStringList& problems_;
 };
 
+std::vector<NamedDevice> read_devices(QSettings& file) {
+  std::vector<NamedDevice> devices;
+  const int count = file.beginReadArray(kDevices);
+  for (int i = 0; i < count; ++i) {
+    file.setArrayIndex(i);
+    devices.push_back({file.value(kDeviceName).toString().toStdString(),
+                       file.value(kDeviceAddress).toString().toStdString()});
+  }
+  file.endArray();
+  return devices;
+}
+
+void write(QSettings& file, const std::vector<NamedDevice>& devices) {
+  file.remove(kDevices);
+  file.beginWriteArray(kDevices, static_cast<int>(devices.size()));
+  for (int i = 0; i < static_cast<int>(devices.size()); ++i) {
+    file.setArrayIndex(i);
+    file.setValue(kDeviceName, QString::fromStdString(devices[static_cast<std::size_t>(i)].name));
+    file.setValue(kDeviceAddress, QString::fromStdString(devices[static_cast<std::size_t>(i)].uri));
+  }
+  file.endArray();
+}
+
 void write(QSettings& file, const char* key, const std::optional<double>& value) {
   if (value)
     file.setValue(key, *value);
@@ -63,7 +89,7 @@ QString SettingsFile::usual_path() {
 }
 
 void SettingsFile::read() {
-  const QSettings file(path_, QSettings::IniFormat);
+  QSettings file(path_, QSettings::IniFormat);
   if (file.status() == QSettings::FormatError)
     problems_ += tr("%1 is not a settings file; everything is as at first. Set it anew, or remove "
                     "the file.")
@@ -82,6 +108,7 @@ void SettingsFile::read() {
   now_.display_delay_s = reader.number(kDelay, 0.0, limits::kLongestDelay_s);
   now_.volume_percent =
       static_cast<int>(reader.number(kVolume, 0, 100).value_or(usual.volume_percent));
+  now_.devices = read_devices(file);
   now_.share_of_maximum = file.value(kShare, usual.share_of_maximum).toBool();
 }
 
@@ -99,6 +126,7 @@ void SettingsFile::change(const Settings& settings) {
   write(file, kDelay, now_.display_delay_s);
   file.setValue(kVolume, now_.volume_percent);
   file.setValue(kShare, now_.share_of_maximum);
+  write(file, now_.devices);
   file.sync();
   Q_EMIT changed();
   if (file.status() != QSettings::NoError)

@@ -7,10 +7,18 @@
 #include <QStringList>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "gui/words/language.hpp"
 
 namespace isograsp::gui {
+
+/// A device that somebody has added.
+struct NamedDevice {
+  std::string name;  ///< "Room 2"
+  std::string uri;
+  bool operator==(const NamedDevice&) const = default;
+};
 
 struct Settings {
   std::string language = languages::kDesktopLanguage;
@@ -23,7 +31,8 @@ struct Settings {
   /// From the picture's hand-over to the light, by photodiode or camera; nothing: not measured.
   std::optional<double> display_delay_s;
   int volume_percent = 50;
-  bool share_of_maximum = false;  ///< the live grip also in % of today's maximum
+  std::vector<NamedDevice> devices;  ///< in the order in which they were added
+  bool share_of_maximum = false;     ///< the live grip also in % of today's maximum
 
   friend bool operator==(const Settings&, const Settings&) = default;
 };

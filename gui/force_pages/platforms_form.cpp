@@ -6,7 +6,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "gui/force_pages/device_list.hpp"
+#include "gui/device_pages/device_list.hpp"
 #include "gui/look/look.hpp"
 
 namespace isograsp::gui {
@@ -16,8 +16,9 @@ constexpr int kPlatformRow_px = 26;
 constexpr int kMostPlatformRows = 4;
 }  // namespace
 
-PlatformsForm::PlatformsForm(SessionPresenter& presenter, QWidget* parent)
-    : QWidget(parent), presenter_(presenter) {
+PlatformsForm::PlatformsForm(SessionPresenter& presenter, const SettingsFile& settings,
+                             QWidget* parent)
+    : QWidget(parent), presenter_(presenter), settings_(settings) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(3);
@@ -39,6 +40,7 @@ PlatformsForm::PlatformsForm(SessionPresenter& presenter, QWidget* parent)
     });
   }
   fill();
+  connect(&settings_, &SettingsFile::changed, this, &PlatformsForm::fill);
   connect(&presenter_.flow(), &SessionFlow::changed, this, &PlatformsForm::refresh);
   refresh();
 }
@@ -50,10 +52,11 @@ void PlatformsForm::fill() {
     const QSignalBlocker quiet(&list);
     filled_[hand] = presenter_.state().choices.platforms[hand];
     list.clear();
-    for (const DeviceChoice& choice : list_platforms(filled_[hand], library)) {
+    for (const DeviceChoice& choice :
+         list_platforms(filled_[hand], settings_.now().devices, library)) {
       auto* item = new QListWidgetItem(QString::fromStdString(choice.words), &list);
       item->setData(Qt::UserRole, QString::fromStdString(choice.uri));
-      item->setToolTip(QString::fromStdString(choice.words + "\n" + choice.uri));
+      item->setToolTip(QString::fromStdString(choice.words));
       item->setSizeHint({0, scaled(kPlatformRow_px)});
     }
     list.setCurrentRow(-1);

@@ -5,6 +5,7 @@
 #include <QListWidget>
 #include <QWidget>
 
+#include "gui/clinic/settings.hpp"
 #include "gui/presenter/session_presenter.hpp"
 
 namespace isograsp::gui {
@@ -13,13 +14,15 @@ class PlatformsForm final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit PlatformsForm(SessionPresenter& presenter, QWidget* parent = nullptr);
+  PlatformsForm(SessionPresenter& presenter, const SettingsFile& settings,
+                QWidget* parent = nullptr);
 
  private:
   void fill();
   void refresh();
 
   SessionPresenter& presenter_;
+  const SettingsFile& settings_;
   OfHands<QListWidget*> lists_;
   OfHands<std::string> filled_;  ///< with what was chosen before standing first
 };

@@ -21,6 +21,8 @@ namespace {
 const char* const kStyleSheet = R"(
 QMainWindow, QWidget#page { background: %BACKGROUND%; }
 QFrame[card="true"] { background: %CARD%; border: 1px solid %RULE%; border-radius: 8px; }
+QFrame#fault_card { background: %CARD%; border: 1px solid %FAULT%; border-radius: 8px;
+  margin: 8px 16px 0px 16px; }
 QFrame#header { background: %CARD%; border: none; }
 QFrame#next_bar { background: %CARD%; border: none; border-top: 1px solid %GRID%;
   border-bottom: 1px solid %RULE%; }
@@ -55,6 +57,10 @@ QLabel[section="done"] { color: %READY%; font-weight: bold; }
 QLabel[section="next"] { color: %ACCENT%; font-weight: bold; }
 QLabel[section="open"] { color: %QUIET%; }
 QListWidget[plain="true"] { border: none; }
+QListWidget#patient_list, QListWidget#patient_list[next="choose"] { background: transparent;
+  border: 1px solid transparent; }
+QListWidget#patient_list::item { padding: 0px; }
+QListWidget#patient_list:focus { border: 1px solid %ACCENT%; border-radius: 8px; }
 QToolButton[score="true"] { background: %CARD%; color: %TEXT%; border: 1px solid %EDGE%;
   border-radius: 4px; padding: 3px 0; min-height: %LINE%px; }
 QToolButton[score="true"]:hover { border-color: %ACCENT%; background: %HOVER%; }

@@ -111,12 +111,17 @@ void Connecting::take(Result<std::unique_ptr<session::Session>> opened,
     const bool asks_clock = error.field == "clock";
     if (asks_clock) error.remedy = "set the clock, or connect again if it is right"_text;
     const bool asks_basis = error.field == "consent";
-    const auto words = asks_basis
-                           ? translated(
-                                 "No lawful basis is on record for a camera that sees this person. "
-                                 "Record it in the step Tracker, then connect again."_text)
-                           : translated(error);
-    state_.connection.failure = {words.toStdString(), false, asks_clock, asks_basis};
+    auto failure = ConnectionState::Failure::of(std::move(error));
+    if (asks_basis) {
+      failure.happened =
+          translated("No lawful basis is on record for a camera that sees this person."_text)
+              .toStdString();
+      failure.remedy =
+          translated("Record it in the step Tracker, then connect again."_text).toStdString();
+    }
+    failure.asks_clock = asks_clock;
+    failure.asks_basis = asks_basis;
+    state_.connection.failure = std::move(failure);
     room_.begin();  // perhaps the disk is full
   }
   flow_.update();
@@ -172,6 +177,14 @@ void Connecting::take_other_hand() {
   end_session();
 }
 
+void Connecting::try_again() {
+  if (!flow_.view().may_try_again) return;
+  if (state_.open) return end_session();  // its device sends nothing any more
+  if (flow_.view().may_connect) return connect_device();
+  state_.connection.failure.reset();
+  flow_.update();
+}
+
 void Connecting::end_session() {
   cancel();
   if (!state_.open) return;
@@ -185,9 +198,12 @@ void Connecting::basis_recorded() {
   flow_.update();
 }
 
-void Connecting::break_off(const std::string& why) {
-  state_.connection.failure = {why, true, false, false};
-  keep_broken_trial(why);
+void Connecting::break_off(const Error& why) {
+  auto failure = ConnectionState::Failure::of(why);
+  failure.broken_off = true;
+  failure.stored_until_utc = session::stored_until_utc(*state_.open->session);
+  state_.connection.failure = std::move(failure);
+  keep_broken_trial(translated(why).toStdString());
   close();
 }
 
@@ -215,8 +231,10 @@ void Connecting::close() {
     ConnectionState& connection = state_.connection;
     connection.phase = Connection::none;
     connection.lost = lost;
-    if (lost && !state_.broken_off())  // the last look found it
-      connection.failure = {translated(*lost).toStdString(), true, false, false};
+    if (lost && !state_.broken_off()) {  // the last look found it
+      connection.failure = ConnectionState::Failure::of(*lost);
+      connection.failure->broken_off = true;
+    }
     choices_.ask_anew();
     if (const auto hand = std::exchange(follows_, std::nullopt); hand && !lost)
       choices_.follow_with(*hand);

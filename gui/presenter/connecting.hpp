@@ -29,12 +29,15 @@ class Connecting {
   /// The session of one hand ends and that of the other begins, on the same device: it is connected
   /// by itself as soon as everything that is asked before has been said.
   void take_other_hand();
+  /// After a fault: what failed is tried again, or the session whose device is gone is ended; what
+  /// is asked before every session is asked.
+  void try_again();
   /// At once, whatever is running or being opened: the program is about to end.
   void end_session();
   /// A lawful basis was recorded: what was refused for want of one may be tried again.
   void basis_recorded();
   /// It cannot go on: why. @pre a session is open
-  void break_off(const std::string& why);
+  void break_off(const Error& why);
   /// Once a poll: the device of a hand that follows the other one is connected; a full disk is no
   /// reason any more when it has room again.
   void look();
@@ -60,8 +63,8 @@ class Connecting {
   SessionChoices& choices_;
   NextWork& next_;
   std::optional<Hand> follows_;  ///< when the session has been closed
-  DiskRoom room_;               ///< after a session that could not be opened or go on
-  bool realtime_said_ = false;  ///< on standard error, once
+  DiskRoom room_;                ///< after a session that could not be opened or go on
+  bool realtime_said_ = false;   ///< on standard error, once
 };
 
 }  // namespace isograsp::gui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/presenter/library_in_use.hpp"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <utility>
@@ -50,6 +51,17 @@ void LibraryInUse::look() {
   if (!newer_ || opening || flow_.view().may_stop || starting) return;
   all_ = *std::exchange(newer_, std::nullopt);
   take();
+}
+
+void LibraryInUse::propose(const std::string& protocol) {
+  if (protocol.empty()) return choices_.choose_protocol(std::nullopt);
+  const auto& all = state_.library.protocols;
+  const auto found = std::find_if(all.begin(), all.end(), [&](const session::ReadyProtocol& one) {
+    return one.spec.name == protocol;
+  });
+  choices_.choose_protocol(found == all.end()
+                               ? place_of_usual(all)
+                               : std::optional(static_cast<int>(found - all.begin())));
 }
 
 /// What there is for the chosen apparatus.

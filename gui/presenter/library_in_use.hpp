@@ -23,6 +23,9 @@ class LibraryInUse {
   void reload();
   /// Once a poll.
   void look();
+  /// The protocol of that name, as stored with a session; where there is none, the usual one.
+  /// Empty: tasks are chosen one by one.
+  void propose(const std::string& protocol);
 
  private:
   void take();

@@ -112,7 +112,7 @@ void SessionChoices::choose_platform(Hand hand, const std::string& uri) {
     if (const auto address = session::two_platforms_uri(choices.platforms))
       choices.device_uri = *address;
     else
-      state_.connection.failure = {translated(address.error()).toStdString(), false, false, false};
+      state_.connection.failure = ConnectionState::Failure::of(address.error());
   }
   look_for_earlier();
   flow_.update();

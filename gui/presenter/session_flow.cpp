@@ -7,6 +7,7 @@
 #include "gui/library/task_groups.hpp"
 #include "gui/presenter/next_words.hpp"
 #include "gui/words/texts.hpp"
+#include "gui/words/words.hpp"
 #include "session/demonstration.hpp"
 #include "tasks/kinds/arm/pose_following.hpp"
 #include "tasks/kinds/arm/pose_matching.hpp"
@@ -137,7 +138,11 @@ FlowFacts SessionFlow::facts() const {
   facts.device_chosen = !choices.device_uri.empty();
   facts.connection = state_.connection.phase;
   if (state_.connection.failure) {
-    facts.connection_error = state_.connection.failure->words;
+    facts.connection_error = state_.connection.failure->happened;
+    facts.connection_remedy = state_.connection.failure->remedy;
+    facts.broken_off = state_.connection.failure->broken_off;
+    if (!state_.connection.lost)
+      facts.stored_until = local_clock(state_.connection.failure->stored_until_utc).toStdString();
     facts.basis_missing = state_.connection.failure->asks_basis;
   }
   facts.recorded = state_.recorded();
@@ -162,6 +167,8 @@ void SessionFlow::add_session_facts(const OpenSession& open, FlowFacts& facts) c
   facts.pause_cause = now.pause_cause;
   facts.at_rest = open.trial && open.trial->rest_watch.at_rest();
   facts.health = now.health;
+  if (facts.stage == session::Stage::trial || facts.stage == session::Stage::paused)
+    facts.stored_until = local_clock(session::stored_until_utc(*open.session)).toStdString();
   if (open.arm) add_camera_facts(*open.arm, facts);
   // People in software and their cameras are of one make, and nobody can move them.
   facts.picture_unsure =

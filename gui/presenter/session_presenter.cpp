@@ -88,7 +88,7 @@ void SessionPresenter::look_at_session() {
   for (const auto& news : state_.open->session->take_news()) {
     if (news.prepared) preparing_.take(*news.prepared);
     if (news.trial) trials_.take(*news.trial);
-    if (news.failure) return connecting_.break_off(translated(*news.failure).toStdString());
+    if (news.failure) return connecting_.break_off(*news.failure);
   }
   trials_.renew_score();
 }

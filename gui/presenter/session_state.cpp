@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "gui/words/texts.hpp"
 #include "session/open_two_platforms.hpp"
 
 namespace isograsp::gui {
@@ -25,6 +26,14 @@ const NoSession& no_session() noexcept {
 }
 
 }  // namespace
+
+ConnectionState::Failure ConnectionState::Failure::of(Error error) {
+  Failure failure;
+  failure.remedy = translated(error.remedy).toStdString();
+  error.remedy = {};
+  failure.happened = translated(error).toStdString();
+  return failure;
+}
 
 Result<tasks::TaskSpec> Work::at_chosen_level(const tasks::TaskSpec& spec,
                                               std::optional<tasks::Look> look) const {

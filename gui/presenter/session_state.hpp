@@ -88,10 +88,14 @@ struct Choices {
 /// The connection to the device. Made anew by every attempt to connect.
 struct ConnectionState {
   struct Failure {
-    std::string words;
-    bool broken_off = false;  ///< a session could not go on
-    bool asks_clock = false;  ///< whether the clock is right; connecting again says yes
-    bool asks_basis = false;  ///< a lawful basis is to be recorded first
+    std::string happened;
+    std::string remedy;            ///< may be empty
+    std::string stored_until_utc;  ///< of a session that was broken off: up to when all is safe
+    bool broken_off = false;       ///< a session could not go on
+    bool asks_clock = false;       ///< whether the clock is right; connecting again says yes
+    bool asks_basis = false;       ///< a lawful basis is to be recorded first
+
+    [[nodiscard]] static Failure of(Error error);
   };
 
   Connection phase = Connection::none;

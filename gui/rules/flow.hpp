@@ -60,16 +60,21 @@ struct FlowFacts {
   bool patient_chosen = false;
   bool hand_chosen = false;
   bool follows_other_hand = false;  ///< on the same device, which is connected by itself
-  bool hand_to_confirm = false;    ///< it is not the affected one: nobody has confirmed it yet
-  bool screened = false;           ///< questions answered, decision made
-  bool earlier_sought = false;     ///< whether there is an interrupted protocol is being looked up
-  bool earlier_undecided = false;  ///< an interrupted protocol may go on: nobody has said yet
+  bool hand_to_confirm = false;     ///< it is not the affected one: nobody has confirmed it yet
+  bool screened = false;            ///< questions answered, decision made
+  bool earlier_sought = false;      ///< whether there is an interrupted protocol is being looked up
+  bool earlier_undecided = false;   ///< an interrupted protocol may go on: nobody has said yet
   bool device_chosen = false;
   Connection connection = Connection::none;
-  std::string connection_error;  ///< why the last attempt failed, or why the session ends or ended
-  bool basis_missing = false;    ///< … because no lawful basis is on record for a camera
-  bool recorded = false;         ///< a replayed recording: nobody takes a hand out
-  bool frozen = false;           ///< no new frame for longer than kFrozenAfter_s
+  std::string connection_error;   ///< why the last attempt failed, or why the session ends or ended
+  std::string connection_remedy;  ///< what to do about it
+  bool broken_off = false;        ///< … and it was a session that could not go on
+  /// Of the trial that runs, or of that session: all is durable up to this time of the day; empty:
+  /// it is not known.
+  std::string stored_until;
+  bool basis_missing = false;  ///< … because no lawful basis is on record for a camera
+  bool recorded = false;       ///< a replayed recording: nobody takes a hand out
+  bool frozen = false;         ///< no new frame for longer than kFrozenAfter_s
   bool anything_arrived = false;
   session::Stage stage = session::Stage::idle;
   session::PauseCause pause_cause = session::PauseCause::none;
@@ -236,7 +241,16 @@ enum class NextPress : std::uint8_t {
   picture,
   start,
   resume,
-  end  ///< the session, and who comes next
+  again,  ///< what failed
+  end     ///< the session, and who comes next
+};
+
+/// A fault, told to the therapist.
+struct FaultStory {
+  std::string happened;
+  std::string safe;    ///< "All up to 08:46:51 is stored."
+  std::string remedy;  ///< what to do; may be empty
+  bool operator==(const FaultStory&) const = default;
 };
 
 struct FlowView {
@@ -258,6 +272,7 @@ struct FlowView {
   bool may_change_device = false;
   bool may_connect = false;
   bool may_cancel_connecting = false;
+  bool may_try_again = false;  ///< what has failed
   bool may_disconnect = false;
   bool may_take_other_hand = false;  ///< after this one, on the same device
   bool may_zero = false;
@@ -286,7 +301,8 @@ struct FlowView {
   bool steps_fold = false;  ///< the work has begun, and none of what was prepared is to be done now
   bool offers_end = false;  ///< the work is done: report and disconnecting are at hand
   bool closes = false;      ///< … and what came of it is shown in the place of the curve
-  std::string start_hint;   ///< why Start is not possible, or what it starts
+  std::optional<FaultStory> fault;  ///< with the words
+  std::string start_hint;           ///< why Start is not possible, or what it starts
   [[nodiscard]] std::optional<Step> next() const;
   bool operator==(const FlowView&) const = default;
 };

@@ -26,6 +26,7 @@ NextPress press_for(Situation situation, const FlowFacts& facts, const FlowView&
     case Situation::session_failed:
       if (facts.connection != Connection::none) return NextPress::none;
       if (facts.basis_missing && view.may_connect) return NextPress::basis;
+      if (view.may_try_again) return NextPress::again;
       return press_for(before_session(facts), facts, view);
     case Situation::choose_patient: return if_possible(view.may_change_patient, NextPress::patient);
     case Situation::confirm_hand: return if_possible(view.may_change_hand, NextPress::confirm_hand);
@@ -52,6 +53,7 @@ NextPress press_for(Situation situation, const FlowFacts& facts, const FlowView&
     case Situation::let_go: return if_possible(view.may_resume, NextPress::resume);
     case Situation::stop_work:
     case Situation::protocol_over: return if_possible(view.offers_end, NextPress::end);
+    case Situation::device_gone: return if_possible(view.may_try_again, NextPress::again);
     case Situation::settle:
     case Situation::rest_ready:
     case Situation::pause:
@@ -152,6 +154,9 @@ void decide_acts(const FlowFacts& facts, FlowView& view) {
   view.may_cancel_connecting = facts.connection == Connection::opening;
   view.may_disconnect =
       open && !in_trial(facts) && facts.stage != session::Stage::zeroing && !facts.zero_asked;
+  view.may_try_again = (view.situation == Situation::session_failed && closed &&
+                        (view.may_connect || facts.broken_off)) ||
+                       (view.situation == Situation::device_gone && view.may_disconnect);
   view.may_take_other_hand = view.may_disconnect && !facts.both_hands && !facts.recorded;
   decide_between_trials(facts, sound, view);
   view.must_stand_by = view.device_mood == Mood::fault || facts.straps_due || !has_zero(facts) ||

@@ -65,6 +65,10 @@ enum class Obstacle : std::uint8_t {
 /// mood of its device.
 void decide_acts(const FlowFacts& facts, FlowView& view);
 
+// flow_fault.cpp
+/// What is told of a fault, once its words are there; nothing: there is none.
+[[nodiscard]] std::optional<FaultStory> fault_of(const FlowFacts& facts, const FlowView& view);
+
 // flow_hand_words.cpp: of a tracked hand, where they differ from those of forces; empty: they do
 // not
 [[nodiscard]] QString hand_device_words(const FlowFacts& facts, DeviceCondition condition);

@@ -121,10 +121,12 @@ QString words_before_session(Situation situation, const FlowFacts& facts) {
     case Situation::screen:
       if (facts.follows_other_hand)
         return facts.start_posture
-                   ? FlowTexts::tr("Ask the screening questions for the other arm. The cameras then "
-                                   "connect by themselves.")
-                   : FlowTexts::tr("Ask the screening questions for the other hand. The device then "
-                                   "connects by itself.");
+                   ? FlowTexts::tr(
+                         "Ask the screening questions for the other arm. The cameras then "
+                         "connect by themselves.")
+                   : FlowTexts::tr(
+                         "Ask the screening questions for the other hand. The device then "
+                         "connects by itself.");
       if (facts.start_posture)
         return FlowTexts::tr("Ask the screening questions before any movement.");
       if (facts.device_chosen)
@@ -318,6 +320,7 @@ FlowView decide(const FlowFacts& facts) {
   view.device_words = plain(device_words(facts, view.device));
   view.sentence = plain(words_for_situation(facts, view));
   view.start_hint = plain(hint_of(facts));
+  view.fault = fault_of(facts, view);
   return view;
 }
 

@@ -9,7 +9,8 @@
 
 #include "gui/arm_pages/cameras_dialog.hpp"
 #include "gui/arm_pages/first_visit_offer.hpp"
-#include "gui/force_pages/device_list.hpp"
+#include "gui/device_pages/add_device.hpp"
+#include "gui/device_pages/device_list.hpp"
 #include "gui/force_pages/platforms_form.hpp"
 #include "gui/hand_pages/basis_view.hpp"
 #include "gui/hand_pages/size_offer.hpp"
@@ -32,13 +33,19 @@ QProgressBar* make_progress(const QString& name, const QString& what) {
 
 }  // namespace
 
-ConnectForm::ConnectForm(SessionPresenter& presenter, Staff& staff, QWidget* parent)
-    : QWidget(parent), presenter_(presenter) {
+ConnectForm::ConnectForm(SessionPresenter& presenter, SettingsFile& settings, Staff& staff,
+                         QWidget* parent)
+    : QWidget(parent), presenter_(presenter), settings_(settings) {
   devices_ = new QListWidget;
   devices_->setObjectName("devices");
   devices_->setTextElideMode(Qt::ElideMiddle);
   describe(*devices_, tr("Device or cameras"),
            tr("What is present now, simulated patients, recordings (Alt+4, then arrow keys)"));
+  forget_ = new QPushButton(tr("Forget this device"));
+  forget_->setObjectName("device_forget");
+  describe(*forget_, tr("Forget this device"),
+           tr("Takes what was added here out of the list (Tab, then space)"));
+  connect(forget_, &QPushButton::clicked, this, &ConnectForm::forget_device);
   connect_ = new QPushButton;
   connect_->setObjectName("connect");
   progress_ = make_progress("connect_progress", tr("Connecting, or saving the session"));
@@ -47,7 +54,8 @@ ConnectForm::ConnectForm(SessionPresenter& presenter, Staff& staff, QWidget* par
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(7);
   column->addWidget(devices_);
-  column->addWidget(new PlatformsForm(presenter_));
+  column->addWidget(forget_);
+  column->addWidget(new PlatformsForm(presenter_, settings_));
   column->addWidget(new FirstVisitOffer(presenter_));
   column->addWidget(new SizeOffer(presenter_));
   column->addWidget(new BasisView(presenter_, staff));
@@ -71,10 +79,10 @@ ConnectForm::ConnectForm(SessionPresenter& presenter, Staff& staff, QWidget* par
 void ConnectForm::fill(const std::string& preset) {
   const QSignalBlocker quiet(devices_);
   devices_->clear();
-  for (const auto& choice : list_devices(preset)) {
+  for (const auto& choice : list_devices(preset, settings_.now().devices)) {
     auto* item = new QListWidgetItem(QString::fromStdString(choice.words), devices_);
     item->setData(Qt::UserRole, QString::fromStdString(choice.uri));
-    item->setToolTip(QString::fromStdString(choice.uri));
+    item->setToolTip(item->text());
     item->setSizeHint({0, scaled(kDeviceFormRow_px)});
   }
   // Nothing is chosen beforehand unless somebody did.
@@ -90,6 +98,8 @@ void ConnectForm::choose(int row) {
     choose_recording();
   else if (uri == kAskCameras)
     choose_cameras();
+  else if (uri == kAddDevice)
+    add_device();
   else
     presenter_.choices().choose_device(uri);
 }
@@ -105,6 +115,37 @@ void ConnectForm::choose_cameras() {
   connect(dialog, &QDialog::rejected, this,
           [this] { fill(presenter_.state().choices.device_uri); });
   dialog->open();
+}
+
+void ConnectForm::add_device() {
+  QStringList taken;
+  for (const NamedDevice& device : settings_.now().devices)
+    taken << QString::fromStdString(device.name);
+  const GuiConfig& config = presenter_.state().config;
+  auto* dialog = new AddDeviceDialog(config.library, taken, config.apparatuses, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog] {
+    const NamedDevice device = dialog->device();
+    Settings settings = settings_.now();
+    std::erase_if(settings.devices, [&](const NamedDevice& one) { return one.uri == device.uri; });
+    settings.devices.push_back(device);
+    settings_.change(settings);
+    presenter_.choices().choose_device(device.uri);
+    fill(device.uri);
+  });
+  connect(dialog, &QDialog::rejected, this,
+          [this] { fill(presenter_.state().choices.device_uri); });
+  dialog->open();
+}
+
+void ConnectForm::forget_device() {
+  Settings settings = settings_.now();
+  std::erase_if(settings.devices, [this](const NamedDevice& one) {
+    return one.uri == presenter_.state().choices.device_uri;
+  });
+  settings_.change(settings);
+  presenter_.choices().choose_device({});
+  fill({});
 }
 
 void ConnectForm::choose_recording() {
@@ -126,6 +167,11 @@ void ConnectForm::refresh() {
   const auto& view = presenter_.flow().view();
   devices_->setEnabled(view.may_change_device);
   devices_->setVisible(!presenter_.state().session_open() && !measures_both(presenter_.state()));
+  const auto& added = settings_.now().devices;
+  show_part(*forget_, devices_->isVisibleTo(this) && view.may_change_device &&
+                          std::any_of(added.begin(), added.end(), [this](const NamedDevice& one) {
+                            return one.uri == presenter_.state().choices.device_uri;
+                          }));
   if (presenter_.state().choices.device_uri.empty() && devices_->currentRow() >= 0 &&
       measures_both(presenter_.state())) {
     const QSignalBlocker quiet(devices_);  // was chosen for one hand

@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QWidget>
 
+#include "gui/clinic/settings.hpp"
 #include "gui/clinic/staff.hpp"
 #include "gui/presenter/session_presenter.hpp"
 
@@ -19,17 +20,22 @@ class ConnectForm final : public QWidget {
   Q_OBJECT
 
  public:
-  ConnectForm(SessionPresenter& presenter, Staff& staff, QWidget* parent = nullptr);
+  ConnectForm(SessionPresenter& presenter, SettingsFile& settings, Staff& staff,
+              QWidget* parent = nullptr);
 
  private:
   void fill(const std::string& preset);
   void choose(int row);
   void choose_recording();
   void choose_cameras();
+  void add_device();
+  void forget_device();
   void refresh();
 
   SessionPresenter& presenter_;
+  SettingsFile& settings_;
   QListWidget* devices_;
+  QPushButton* forget_;  ///< what was added
   QPushButton* connect_;
   QProgressBar* progress_;
 };

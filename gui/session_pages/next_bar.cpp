@@ -71,7 +71,8 @@ void NextBar::refresh() {
   light_->show_mood(view.mood);
   sentence_->setText(QString::fromStdString(view.sentence));
   stop_->setEnabled(view.may_stop);
-  marked_ = page_ == nullptr ? nullptr : marked_next(*page_);
+  marked_ = first_ == nullptr ? nullptr : marked_next(*first_);
+  if (marked_ == nullptr && page_ != nullptr) marked_ = marked_next(*page_);
   const auto* button = qobject_cast<QAbstractButton*>(marked_.data());
   say(button != nullptr && !is_choice(*button) ? button->text().remove(QLatin1Char('&'))
       : marked_ != nullptr                     ? choice_words(view)

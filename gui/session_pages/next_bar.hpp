@@ -22,6 +22,8 @@ class NextBar final : public QFrame {
   /// Where what is next is marked (mark_next): the start page while it is shown, else the
   /// session's.
   void follow(QWidget& page);
+  /// … and before that here.
+  void put_first(QWidget& part) { first_ = &part; }
   /// Says what is next after everything on that page has been renewed.
   void refresh();
   /// Does what the button says. Where something has to be chosen (a patient, a hand, an answer, a
@@ -38,6 +40,7 @@ class NextBar final : public QFrame {
   void say(const QString& words);
 
   SessionPresenter& presenter_;
+  QWidget* first_ = nullptr;
   QWidget* page_ = nullptr;
   StateLight* light_;
   QLabel* sentence_;

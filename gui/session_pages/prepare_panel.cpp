@@ -57,14 +57,15 @@ QString words_of(Step step, const FlowView& view) {
 
 }  // namespace
 
-PreparePanel::PreparePanel(SessionPresenter& presenter, Staff& staff, QWidget* parent)
+PreparePanel::PreparePanel(SessionPresenter& presenter, SettingsFile& settings, Staff& staff,
+                           QWidget* parent)
     : QWidget(parent), presenter_(presenter) {
   auto* patient = new PatientForm(presenter_);
   connect(patient, &PatientForm::other_patient, this, &PreparePanel::other_patient);
   const std::array<QWidget*, kStepCount> bodies{patient,
                                                 make_hand(),
                                                 make_screening(),
-                                                new ConnectForm(presenter_, staff),
+                                                new ConnectForm(presenter_, settings, staff),
                                                 make_zero(),
                                                 new StrapForm(presenter_),
                                                 new ProtocolForm(presenter_)};

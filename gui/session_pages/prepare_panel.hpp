@@ -8,6 +8,7 @@
 #include <array>
 #include <functional>
 
+#include "gui/clinic/settings.hpp"
 #include "gui/clinic/staff.hpp"
 #include "gui/presenter/session_presenter.hpp"
 #include "gui/session_pages/step_section.hpp"
@@ -18,7 +19,8 @@ class PreparePanel final : public QWidget {
   Q_OBJECT
 
  public:
-  PreparePanel(SessionPresenter& presenter, Staff& staff, QWidget* parent = nullptr);
+  PreparePanel(SessionPresenter& presenter, SettingsFile& settings, Staff& staff,
+               QWidget* parent = nullptr);
 
   void fold(bool folded);
   [[nodiscard]] bool any_open() const;

@@ -34,14 +34,14 @@ QVBoxLayout* make_column(int least_px, int most_px) {
 
 }  // namespace
 
-SessionPage::SessionPage(Clinic& clinic, SessionPresenter& presenter, const SettingsFile& settings,
+SessionPage::SessionPage(Clinic& clinic, SessionPresenter& presenter, SettingsFile& settings,
                          Staff& staff, QWidget* parent)
     : QWidget(parent), presenter_(presenter), in_a_row_(scaled(100) <= kLargestInARow_percent) {
   grid_ = new QGridLayout(this);
   const int apart_px = in_a_row_ ? 12 : 8;  // large letters need the room
   grid_->setContentsMargins(apart_px, apart_px, apart_px, apart_px);
   grid_->setSpacing(apart_px);
-  prepare_ = new PreparePanel(presenter, staff);
+  prepare_ = new PreparePanel(presenter, settings, staff);
   watch_ = make_closing(clinic, make_watch(clinic, settings));
   run_ = make_run();
   if (!in_a_row_) watch_->setMinimumHeight(scaled(470));

@@ -20,8 +20,8 @@ class SessionPage final : public QWidget {
   Q_OBJECT
 
  public:
-  SessionPage(Clinic& clinic, SessionPresenter& presenter, const SettingsFile& settings,
-              Staff& staff, QWidget* parent = nullptr);
+  SessionPage(Clinic& clinic, SessionPresenter& presenter, SettingsFile& settings, Staff& staff,
+              QWidget* parent = nullptr);
 
   [[nodiscard]] bool printing() const;
 

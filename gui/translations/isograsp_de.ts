@@ -305,6 +305,37 @@
     </message>
 </context>
 <context>
+    <name>DeviceAddress</name>
+    <message>
+        <source>Force sensors on a CAN bus</source>
+        <translation>Kraftsensoren an einem CAN-Bus</translation>
+    </message>
+    <message>
+        <source>Force sensors in the network</source>
+        <translation>Kraftsensoren im Netzwerk</translation>
+    </message>
+    <message>
+        <source>Force sensors on serial lines</source>
+        <translation>Kraftsensoren an seriellen Leitungen</translation>
+    </message>
+    <message>
+        <source>Cameras: Qualisys Track Manager</source>
+        <translation>Kameras: Qualisys Track Manager</translation>
+    </message>
+    <message>
+        <source>Cameras: OptiTrack Motive</source>
+        <translation>Kameras: OptiTrack Motive</translation>
+    </message>
+    <message>
+        <source>Tracked hand: Leap service</source>
+        <translation>Verfolgte Hand: Leap-Dienst</translation>
+    </message>
+    <message>
+        <source>Tracked hand: a script that sends it</source>
+        <translation>Verfolgte Hand: ein Skript, das sie sendet</translation>
+    </message>
+</context>
+<context>
     <name>DeviceList</name>
     <message>
         <source>Force sensors on %1</source>
@@ -365,6 +396,22 @@
     <message>
         <source>Simulated: %1</source>
         <translation>Simuliert: %1</translation>
+    </message>
+    <message>
+        <source>Recording %1</source>
+        <translation>Aufzeichnung %1</translation>
+    </message>
+    <message>
+        <source>Cameras at %1</source>
+        <translation>Kameras bei %1</translation>
+    </message>
+    <message>
+        <source>Tracked hand at %1</source>
+        <translation>Verfolgte Hand bei %1</translation>
+    </message>
+    <message>
+        <source>Add a device …</source>
+        <translation>Gerät hinzufügen …</translation>
     </message>
 </context>
 <context>
@@ -551,7 +598,7 @@
     </message>
     <message>
         <source>Ask the screening questions before any force.</source>
-        <translation>Stellen Sie die Vorab-Fragen, bevor Kraft verlangt wird.</translation>
+        <translation>Stellen Sie die Sicherheitsfragen, bevor Kraft verlangt wird.</translation>
     </message>
     <message>
         <source>Looking whether this protocol was interrupted today …</source>
@@ -735,7 +782,7 @@
     </message>
     <message>
         <source>Ask the screening questions before any movement.</source>
-        <translation>Vor jeder Bewegung die Vorab-Fragen stellen.</translation>
+        <translation>Vor jeder Bewegung die Sicherheitsfragen stellen.</translation>
     </message>
     <message>
         <source>Connect the cameras to begin the session.</source>
@@ -747,7 +794,7 @@
     </message>
     <message>
         <source>Ask the screening questions before any work.</source>
-        <translation>Stellen Sie die Vorab-Fragen, bevor gearbeitet wird.</translation>
+        <translation>Stellen Sie die Sicherheitsfragen, bevor gearbeitet wird.</translation>
     </message>
     <message>
         <source>Choose the device, or the cameras that see an arm.</source>
@@ -835,7 +882,7 @@
     </message>
     <message>
         <source>Ask the screening questions of each hand before any force.</source>
-        <translation>Stellen Sie die Vorab-Fragen zu jeder Hand, bevor Kraft verlangt wird.</translation>
+        <translation>Stellen Sie die Sicherheitsfragen zu jeder Hand, bevor Kraft verlangt wird.</translation>
     </message>
     <message>
         <source>Connecting to both platforms …</source>
@@ -991,11 +1038,58 @@
     </message>
     <message>
         <source>Ask the screening questions for the other arm. The cameras then connect by themselves.</source>
-        <translation>Stellen Sie die Vorab-Fragen zum anderen Arm. Danach verbinden sich die Kameras von selbst.</translation>
+        <translation>Stellen Sie die Sicherheitsfragen zum anderen Arm. Danach verbinden sich die Kameras von selbst.</translation>
     </message>
     <message>
         <source>Ask the screening questions for the other hand. The device then connects by itself.</source>
-        <translation>Stellen Sie die Vorab-Fragen zur anderen Hand. Danach verbindet sich das Gerät von selbst.</translation>
+        <translation>Stellen Sie die Sicherheitsfragen zur anderen Hand. Danach verbindet sich das Gerät von selbst.</translation>
+    </message>
+</context>
+<context>
+    <name>FlowFault</name>
+    <message>
+        <source>All that was measured is stored.</source>
+        <translation>Alles Gemessene ist gespeichert.</translation>
+    </message>
+    <message>
+        <source>The trial stands still.</source>
+        <translation>Der Versuch steht still.</translation>
+    </message>
+    <message>
+        <source>The trial stands still; all up to %1 is stored.</source>
+        <translation>Der Versuch steht still; alles bis %1 ist gespeichert.</translation>
+    </message>
+    <message>
+        <source>No session has begun, and nothing was changed.</source>
+        <translation>Es hat keine Sitzung begonnen, und nichts wurde verändert.</translation>
+    </message>
+    <message>
+        <source>What is stored where is said above.</source>
+        <translation>Was wo gespeichert ist, steht darüber.</translation>
+    </message>
+    <message>
+        <source>All up to %1 is stored.</source>
+        <translation>Alles bis %1 ist gespeichert.</translation>
+    </message>
+    <message>
+        <source>Look at cables and power. Try again ends this session; the next one begins with the questions before it.</source>
+        <translation>Sehen Sie nach Kabeln und Strom. Noch einmal beendet diese Sitzung; die nächste beginnt mit den Fragen davor.</translation>
+    </message>
+    <message>
+        <source>Look at cables and power of the device. Try again ends this session; the next one begins with the questions before it.</source>
+        <translation>Sehen Sie nach Kabeln und Strom des Geräts. Noch einmal beendet diese Sitzung; die nächste beginnt mit den Fragen davor.</translation>
+    </message>
+    <message>
+        <source>Look at cables and power: it goes on when data arrive again.</source>
+        <translation>Sehen Sie nach Kabeln und Strom: Es geht weiter, sobald wieder Daten kommen.</translation>
+    </message>
+    <message>
+        <source>Resume when the picture is back.</source>
+        <translation>Fahren Sie fort, wenn das Bild wieder da ist.</translation>
+    </message>
+    <message>
+        <source>When it works again, the hand lets go; then resume. If Resume stays closed: stop, set the zero, repeat the trial.</source>
+        <translation>Wenn es wieder geht, lässt die Hand los; dann geht es weiter. Bleibt „Weitermachen“ gesperrt: beenden, Nullabgleich setzen, den Versuch wiederholen.</translation>
     </message>
 </context>
 <context>
@@ -3137,6 +3231,149 @@
     </message>
 </context>
 <context>
+    <name>isograsp::gui::AddDeviceDialog</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 answers. Its camera is looked at in a session only, once a lawful basis is on record.</source>
+        <translation>%1 antwortet. Durch die Kamera wird erst in einer Sitzung gesehen, wenn eine Rechtsgrundlage eingetragen ist.</translation>
+    </message>
+    <message>
+        <source>%1. Works: %2 times a second, nothing missing.</source>
+        <translation>%1. Funktioniert: %2-mal in der Sekunde, nichts fehlt.</translation>
+    </message>
+    <message>
+        <source>%1 answers, but sends nothing whole: look at cables and power.</source>
+        <translation>%1 antwortet, sendet aber nichts Ganzes: Sehen Sie nach Kabeln und Strom.</translation>
+    </message>
+    <message>
+        <source>%1 answers, but parts are missing in %2 of %3 looks.</source>
+        <translation>%1 antwortet, aber bei %2 von %3 Blicken fehlt etwas.</translation>
+    </message>
+    <message>
+        <source>Add a device</source>
+        <translation>Gerät hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add the device</source>
+        <translation>Gerät hinzufügen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Was es ist</translation>
+    </message>
+    <message>
+        <source>How the device is reached (arrow keys)</source>
+        <translation>Wie das Gerät erreicht wird (Pfeiltasten)</translation>
+    </message>
+    <message>
+        <source>Maker</source>
+        <translation>Hersteller</translation>
+    </message>
+    <message>
+        <source>Whose sensors they are (arrow keys)</source>
+        <translation>Wessen Sensoren es sind (Pfeiltasten)</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>Choose or type; empty: Find looks for it (Tab)</source>
+        <translation>Wählen oder eingeben; leer: Suchen findet es (Tab)</translation>
+    </message>
+    <message>
+        <source>Set-up</source>
+        <translation>Aufbau</translation>
+    </message>
+    <message>
+        <source>The file that says how the sensors are mounted and set (arrow keys)</source>
+        <translation>Die Datei, die sagt, wie die Sensoren montiert und eingestellt sind (Pfeiltasten)</translation>
+    </message>
+    <message>
+        <source>Rig</source>
+        <translation>Markersatz</translation>
+    </message>
+    <message>
+        <source>What the markers are stuck to (arrow keys)</source>
+        <translation>Worauf die Marker kleben (Pfeiltasten)</translation>
+    </message>
+    <message>
+        <source>Room 2</source>
+        <translation>Raum 2</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>What people here call it (Tab)</source>
+        <translation>Wie man es hier nennt (Tab)</translation>
+    </message>
+    <message>
+        <source>&amp;Find</source>
+        <translation>&amp;Suchen</translation>
+    </message>
+    <message>
+        <source>Find what answers</source>
+        <translation>Suchen, was antwortet</translation>
+    </message>
+    <message>
+        <source>Asks every place where such a device could be (Alt+F)</source>
+        <translation>Fragt überall, wo ein solches Gerät sein könnte (Alt+S)</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>&amp;Check</source>
+        <translation>&amp;Prüfen</translation>
+    </message>
+    <message>
+        <source>Check the device</source>
+        <translation>Das Gerät prüfen</translation>
+    </message>
+    <message>
+        <source>Opens it, looks at it for a second and lets it go; nothing is recorded (Alt+C)</source>
+        <translation>Öffnet es, sieht es sich eine Sekunde an und lässt es los; nichts wird aufgezeichnet (Alt+P)</translation>
+    </message>
+    <message>
+        <source>Asking</source>
+        <translation>Fragt</translation>
+    </message>
+    <message>
+        <source>192.168.1.1: the first of three in a row, or all three</source>
+        <translation>192.168.1.1: die erste von drei folgenden, oder alle drei</translation>
+    </message>
+    <message>
+        <source>three ports, with commas</source>
+        <translation>drei Anschlüsse, mit Kommas</translation>
+    </message>
+    <message>
+        <source>as delivered</source>
+        <translation>wie geliefert</translation>
+    </message>
+    <message>
+        <source>Another device has this name.</source>
+        <translation>So heißt schon ein anderes Gerät.</translation>
+    </message>
+    <message>
+        <source>Asking %1 …</source>
+        <translation>Fragt %1 …</translation>
+    </message>
+    <message>
+        <source>Nothing answers. Asked last: %1</source>
+        <translation>Nichts antwortet. Zuletzt gefragt: %1</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::ArmPanel</name>
     <message>
         <source>Off by &lt;b&gt;%1&lt;/b&gt;, &lt;b&gt;%2&lt;/b&gt;; %3 mm of it in depth</source>
@@ -3729,6 +3966,25 @@
     </message>
 </context>
 <context>
+    <name>isograsp::gui::ChosenPerson</name>
+    <message>
+        <source>tasks one by one</source>
+        <translation>Aufgaben einzeln</translation>
+    </message>
+    <message>
+        <source>%1   %2, %3, %4</source>
+        <translation>%1   %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>Choose a card to see how somebody is doing.</source>
+        <translation>Wählen Sie eine Karte, um zu sehen, wie es jemandem geht.</translation>
+    </message>
+    <message>
+        <source>No session yet.</source>
+        <translation>Noch keine Sitzung.</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::ClosingPanel</name>
     <message>
         <source>Effort and pain: not asked yet.</source>
@@ -3760,7 +4016,7 @@
     </message>
     <message>
         <source>Means of today&apos;s trials and of the session before; a verdict of change for the primary measures (Tab, arrow keys)</source>
-        <translation>Mittelwerte der Durchgänge von heute und der Sitzung davor; für die Hauptmaße ein Urteil über die Veränderung (Tab, Pfeiltasten)</translation>
+        <translation>Mittelwerte der Versuche von heute und der Sitzung davor; für die Hauptmaße ein Urteil über die Veränderung (Tab, Pfeiltasten)</translation>
     </message>
     <message>
         <source>Print for the patient …</source>
@@ -3951,6 +4207,14 @@
     <message>
         <source>Begin the session, once the steps above are done (Alt+C)</source>
         <translation>Die Sitzung beginnen, sobald die Schritte darüber getan sind (Alt+C)</translation>
+    </message>
+    <message>
+        <source>Forget this device</source>
+        <translation>Dieses Gerät vergessen</translation>
+    </message>
+    <message>
+        <source>Takes what was added here out of the list (Tab, then space)</source>
+        <translation>Nimmt aus der Liste, was hier hinzugefügt wurde (Tab, dann Leertaste)</translation>
     </message>
 </context>
 <context>
@@ -4485,6 +4749,17 @@ Neu verbunden: %7</translation>
             <numerusform>%n Person ausgelassen: nicht für die Forschung freigegeben.</numerusform>
             <numerusform>%n Personen ausgelassen: nicht für die Forschung freigegeben.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::FaultCard</name>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>What has failed (F8)</source>
+        <translation>Was nicht gelungen ist (F8)</translation>
     </message>
 </context>
 <context>
@@ -5153,7 +5428,7 @@ Neu verbunden: %7</translation>
     </message>
     <message>
         <source>Saved. Trials were recorded with the former postures, which are kept as %1: with these a new series begins.</source>
-        <translation>Gespeichert. Mit den bisherigen Haltungen wurden Durchgänge aufgenommen, sie bleiben als %1 erhalten: Mit diesen beginnt eine neue Reihe.</translation>
+        <translation>Gespeichert. Mit den bisherigen Haltungen wurden Versuche aufgenommen, sie bleiben als %1 erhalten: Mit diesen beginnt eine neue Reihe.</translation>
     </message>
 </context>
 <context>
@@ -5389,7 +5664,7 @@ Neu verbunden: %7</translation>
     </message>
     <message>
         <source>Answer the screening</source>
-        <translation>Vorab-Fragen beantworten</translation>
+        <translation>Sicherheitsfragen beantworten</translation>
     </message>
     <message>
         <source>Go on or anew?</source>
@@ -5450,6 +5725,41 @@ Neu verbunden: %7</translation>
     </message>
 </context>
 <context>
+    <name>isograsp::gui::OpenSessionStrip</name>
+    <message>
+        <source>&amp;Go to it</source>
+        <translation>Da&amp;hin gehen</translation>
+    </message>
+    <message>
+        <source>Go to the open session</source>
+        <translation>Zur offenen Sitzung gehen</translation>
+    </message>
+    <message>
+        <source>Alt+G</source>
+        <translation>Alt+H</translation>
+    </message>
+    <message>
+        <source>&amp;End it</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>End the open session</source>
+        <translation>Die offene Sitzung beenden</translation>
+    </message>
+    <message>
+        <source>All that was measured is kept; a trial that stands still is ended and marked (Alt+E)</source>
+        <translation>Alles Gemessene bleibt; ein Versuch, der stillsteht, wird beendet und gekennzeichnet (Alt+B)</translation>
+    </message>
+    <message>
+        <source>The session of %1, %2, is open since %3.</source>
+        <translation>Die Sitzung von %1, %2, ist seit %3 offen.</translation>
+    </message>
+    <message>
+        <source>%1 A trial runs.</source>
+        <translation>%1 Ein Versuch läuft.</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::OtherHandButton</name>
     <message>
         <source>Now the left arm</source>
@@ -5469,7 +5779,7 @@ Neu verbunden: %7</translation>
     </message>
     <message>
         <source>What was done is kept; screening, zero and straps are asked anew, the device stays chosen (Tab, then space)</source>
-        <translation>Was getan ist, bleibt erhalten; Vorab-Fragen, Nullabgleich und Gurte werden neu erfragt, das Gerät bleibt gewählt (Tab, dann Leertaste)</translation>
+        <translation>Was getan ist, bleibt erhalten; Sicherheitsfragen, Nullabgleich und Gurte werden neu erfragt, das Gerät bleibt gewählt (Tab, dann Leertaste)</translation>
     </message>
 </context>
 <context>
@@ -6220,7 +6530,7 @@ Neu verbunden: %7</translation>
     </message>
     <message>
         <source>Screening</source>
-        <translation>Vorab-Fragen</translation>
+        <translation>Sicherheitsfragen</translation>
     </message>
     <message>
         <source>Device</source>
@@ -6228,7 +6538,7 @@ Neu verbunden: %7</translation>
     </message>
     <message>
         <source>Zero, empty</source>
-        <translation>Null, leer</translation>
+        <translation>Nullabgleich (ohne Hand)</translation>
     </message>
     <message>
         <source>Hand in</source>
@@ -6356,7 +6666,7 @@ Neu verbunden: %7</translation>
     </message>
     <message>
         <source>Zeros, both empty</source>
-        <translation>Null, beide leer</translation>
+        <translation>Nullabgleich (ohne Hände)</translation>
     </message>
     <message>
         <source>Hands in</source>
@@ -7027,7 +7337,7 @@ Neu verbunden: %7</translation>
     </message>
     <message>
         <source>&amp;Helped</source>
-        <translation>Ge&amp;holfen</translation>
+        <translation>Mit &amp;Hilfe</translation>
     </message>
     <message>
         <source>The therapist helps or helped in this trial</source>
@@ -7272,11 +7582,11 @@ Neu verbunden: %7</translation>
     </message>
     <message>
         <source>All measures of the trial in numbers (Ctrl+U)</source>
-        <translation>Alle Maße des Durchgangs in Zahlen (Strg+U)</translation>
+        <translation>Alle Maße des Versuchs in Zahlen (Strg+U)</translation>
     </message>
     <message>
         <source>Measures of the running or the last trial (Tab, arrow keys)</source>
-        <translation>Maße des laufenden oder des letzten Durchgangs (Tab, Pfeiltasten)</translation>
+        <translation>Maße des laufenden oder des letzten Versuchs (Tab, Pfeiltasten)</translation>
     </message>
     <message>
         <source>No earlier session to compare with</source>
@@ -7742,16 +8052,8 @@ Neu verbunden: %7</translation>
         <translation>Patienten</translation>
     </message>
     <message>
-        <source>Search a code</source>
-        <translation>Code suchen</translation>
-    </message>
-    <message>
         <source>Search patients</source>
         <translation>Patienten suchen</translation>
-    </message>
-    <message>
-        <source>Type a part of the code (Ctrl+F)</source>
-        <translation>Einen Teil des Codes eingeben (Strg+F)</translation>
     </message>
     <message>
         <source>Choose a patient; Enter begins a session (Tab, arrow keys)</source>
@@ -7768,58 +8070,6 @@ Neu verbunden: %7</translation>
     <message>
         <source>Add a patient with a generated code and begin a session (Alt+A)</source>
         <translation>Einen Patienten mit erzeugtem Code anlegen und eine Sitzung beginnen (Alt+A)</translation>
-    </message>
-    <message>
-        <source>&amp;Begin session</source>
-        <translation>Sitzung &amp;beginnen</translation>
-    </message>
-    <message>
-        <source>Begin a session</source>
-        <translation>Eine Sitzung beginnen</translation>
-    </message>
-    <message>
-        <source>With the chosen patient (Alt+B)</source>
-        <translation>Mit dem gewählten Patienten (Alt+B)</translation>
-    </message>
-    <message>
-        <source>Open pat&amp;ient</source>
-        <translation>Patient ö&amp;ffnen</translation>
-    </message>
-    <message>
-        <source>Open the patient</source>
-        <translation>Den Patienten öffnen</translation>
-    </message>
-    <message>
-        <source>Sessions, measures and trials so far (Alt+I)</source>
-        <translation>Bisherige Sitzungen, Messgrößen und Versuche (Alt+F)</translation>
-    </message>
-    <message>
-        <source>Recent sessions</source>
-        <translation>Letzte Sitzungen</translation>
-    </message>
-    <message>
-        <source>When</source>
-        <translation>Wann</translation>
-    </message>
-    <message>
-        <source>Patient</source>
-        <translation>Patient</translation>
-    </message>
-    <message>
-        <source>Hand</source>
-        <translation>Hand</translation>
-    </message>
-    <message>
-        <source>Protocol</source>
-        <translation>Protokoll</translation>
-    </message>
-    <message>
-        <source>Enter opens the patient (Tab, arrow keys)</source>
-        <translation>Eingabe öffnet den Patienten (Tab, Pfeiltasten)</translation>
-    </message>
-    <message>
-        <source>No sessions yet.</source>
-        <translation>Noch keine Sitzungen.</translation>
     </message>
     <message>
         <source>This clinic is empty</source>
@@ -7850,46 +8100,6 @@ Neu verbunden: %7</translation>
         <translation>Noch keine Patienten. Legen Sie den ersten an.</translation>
     </message>
     <message>
-        <source>No code contains this text.</source>
-        <translation>Kein Code enthält diesen Text.</translation>
-    </message>
-    <message>
-        <source>left</source>
-        <translation>links</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>rechts</translation>
-    </message>
-    <message>
-        <source>Tasks one by one</source>
-        <translation>Einzelne Aufgaben</translation>
-    </message>
-    <message>
-        <source>%1, simulated</source>
-        <translation>%1, simuliert</translation>
-    </message>
-    <message>
-        <source>No session yet; added %1</source>
-        <translation>Noch keine Sitzung; angelegt am %1</translation>
-    </message>
-    <message>
-        <source>Last session %1, %2</source>
-        <translation>Letzte Sitzung %1, %2</translation>
-    </message>
-    <message>
-        <source>left hand</source>
-        <translation>linke Hand</translation>
-    </message>
-    <message>
-        <source>right hand</source>
-        <translation>rechte Hand</translation>
-    </message>
-    <message>
-        <source>TODAY</source>
-        <translation>HEUTE</translation>
-    </message>
-    <message>
         <source>Show &amp;names</source>
         <translation>&amp;Namen zeigen</translation>
     </message>
@@ -7902,16 +8112,20 @@ Neu verbunden: %7</translation>
         <translation>Namen neben den Codes, bis das Fenster gesperrt wird; das Protokoll sagt, wer sie gelesen hat (Alt+N)</translation>
     </message>
     <message>
-        <source>%1. %2</source>
-        <translation>%1. %2</translation>
+        <source>Search: code, treatment, protocol</source>
+        <translation>Suche: Code, Behandlung, Protokoll</translation>
     </message>
     <message>
-        <source>both</source>
-        <translation>beide</translation>
+        <source>A part of the code, of a treatment, of a protocol, or of a name that is shown (Ctrl+F)</source>
+        <translation>Ein Teil des Codes, einer Behandlung, eines Protokolls oder eines Namens, der gezeigt wird (Strg+F)</translation>
     </message>
     <message>
-        <source>both hands</source>
-        <translation>beide Hände</translation>
+        <source>%1 more are found by the search.</source>
+        <translation>%1 weitere findet die Suche.</translation>
+    </message>
+    <message>
+        <source>Nobody is found by this text.</source>
+        <translation>Mit diesem Text wird niemand gefunden.</translation>
     </message>
 </context>
 <context>
@@ -8473,6 +8687,89 @@ Neuester Wert %3.%4 Pfeiltasten gehen zum nächsten Bild, Eingabe oder ein Klick
     <message>
         <source>What the patient saw: the force of each hand and what was asked (Space)</source>
         <translation>Was zu sehen war: die Kraft jeder Hand und was verlangt war (Leertaste)</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::VisitCard</name>
+    <message>
+        <source>tasks one by one</source>
+        <translation>Aufgaben einzeln</translation>
+    </message>
+    <message>
+        <source>TODAY</source>
+        <translation>HEUTE</translation>
+    </message>
+    <message>
+        <source>USUAL DAY</source>
+        <translation>WIE SONST</translation>
+    </message>
+    <message>
+        <source>Unfinished since %1: %2</source>
+        <translation>Unvollendet seit %1: %2</translation>
+    </message>
+    <message>
+        <source>Next: %1</source>
+        <translation>Als Nächstes: %1</translation>
+    </message>
+    <message>
+        <source>Next: first session</source>
+        <translation>Als Nächstes: erste Sitzung</translation>
+    </message>
+    <message>
+        <source>Last session %1, %2</source>
+        <translation>Letzte Sitzung %1, %2</translation>
+    </message>
+    <message>
+        <source>No session yet; added %1</source>
+        <translation>Noch keine Sitzung; hinzugefügt am %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Begin a session with %1</source>
+        <translation>Eine Sitzung mit %1 beginnen</translation>
+    </message>
+    <message>
+        <source>Enter on the card begins, too</source>
+        <translation>Auch die Eingabetaste auf der Karte beginnt</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
+    <message>
+        <source>Sessions, measures and trials so far (Ctrl+2)</source>
+        <translation>Bisherige Sitzungen, Maße und Versuche (Strg+2)</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <translation>%1  %2</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>Added by mistake: nothing is stored of this person; the log keeps that it was removed</source>
+        <translation>Aus Versehen hinzugefügt: Von diesem Menschen ist nichts gespeichert; das Protokoll der Zugriffe behält, dass er entfernt wurde</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>

@@ -117,11 +117,11 @@
     </message>
     <message>
         <source>Of elbow, forearm, wrist or fingers: measure the passive range and enter it below</source>
-        <translation>Du coude, de l’avant-bras, du poignet ou des doigts : mesurer l’amplitude passive et l’inscrire plus bas</translation>
+        <translation>Du coude, de l’avant-bras, du poignet ou des doigts&#xa0;: mesurer l’amplitude passive et l’inscrire plus bas</translation>
     </message>
     <message>
         <source>Where markers are put on: bands instead of tape</source>
-        <translation>Là où sont les marqueurs : des bandes au lieu du ruban</translation>
+        <translation>Là où sont les marqueurs&#xa0;: des bandes au lieu du ruban</translation>
     </message>
     <message>
         <source>Without it tasks of the arm are not offered</source>
@@ -129,15 +129,15 @@
     </message>
     <message>
         <source>Tasks of the arm need 10° of the forearm and 10 s of holding: take the isometric tasks of the hand instead.</source>
-        <translation>Les tâches du bras demandent 10° de l’avant-bras et 10 s de tenue : prendre plutôt les tâches isométriques de la main.</translation>
+        <translation>Les tâches du bras demandent 10° de l’avant-bras et 10 s de tenue&#xa0;: prendre plutôt les tâches isométriques de la main.</translation>
     </message>
     <message>
         <source>Support the arm; stop where the shoulder hurts.</source>
-        <translation>Soutenir le bras ; arrêter là où l’épaule fait mal.</translation>
+        <translation>Soutenir le bras&#xa0;; arrêter là où l’épaule fait mal.</translation>
     </message>
     <message>
         <source>Enter the passive range: no target goes beyond it.</source>
-        <translation>Inscrire l’amplitude passive : aucune cible ne la dépasse.</translation>
+        <translation>Inscrire l’amplitude passive&#xa0;: aucune cible ne la dépasse.</translation>
     </message>
     <message>
         <source>Markers on bands or clothes, no tape on the skin.</source>
@@ -145,7 +145,7 @@
     </message>
     <message>
         <source>A passive range has no angle in it: correct its numbers.</source>
-        <translation>Une amplitude passive ne contient aucun angle : corriger ses nombres.</translation>
+        <translation>Une amplitude passive ne contient aucun angle&#xa0;: corriger ses nombres.</translation>
     </message>
     <message>
         <source>Own range</source>
@@ -153,7 +153,7 @@
     </message>
     <message>
         <source>Small range: half of the way</source>
-        <translation>Petite amplitude : mi-chemin</translation>
+        <translation>Petite amplitude&#xa0;: mi-chemin</translation>
     </message>
     <message>
         <source>No movement</source>
@@ -200,7 +200,7 @@
     </message>
     <message>
         <source>%1 slips: more force into the object, less along it.</source>
-        <translation>%1 glisse : plus de force vers l’objet, moins le long de l’objet.</translation>
+        <translation>%1 glisse&#xa0;: plus de force vers l’objet, moins le long de l’objet.</translation>
     </message>
 </context>
 <context>
@@ -305,6 +305,37 @@
     </message>
 </context>
 <context>
+    <name>DeviceAddress</name>
+    <message>
+        <source>Force sensors on a CAN bus</source>
+        <translation>Capteurs de force sur un bus CAN</translation>
+    </message>
+    <message>
+        <source>Force sensors in the network</source>
+        <translation>Capteurs de force sur le réseau</translation>
+    </message>
+    <message>
+        <source>Force sensors on serial lines</source>
+        <translation>Capteurs de force sur des lignes série</translation>
+    </message>
+    <message>
+        <source>Cameras: Qualisys Track Manager</source>
+        <translation>Caméras&#xa0;: Qualisys Track Manager</translation>
+    </message>
+    <message>
+        <source>Cameras: OptiTrack Motive</source>
+        <translation>Caméras&#xa0;: OptiTrack Motive</translation>
+    </message>
+    <message>
+        <source>Tracked hand: Leap service</source>
+        <translation>Main suivie&#xa0;: service Leap</translation>
+    </message>
+    <message>
+        <source>Tracked hand: a script that sends it</source>
+        <translation>Main suivie&#xa0;: un script qui l’envoie</translation>
+    </message>
+</context>
+<context>
     <name>DeviceList</name>
     <message>
         <source>Force sensors on %1</source>
@@ -365,6 +396,22 @@
     <message>
         <source>Simulated: %1</source>
         <translation>Simulé&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Recording %1</source>
+        <translation>Enregistrement %1</translation>
+    </message>
+    <message>
+        <source>Cameras at %1</source>
+        <translation>Caméras à %1</translation>
+    </message>
+    <message>
+        <source>Tracked hand at %1</source>
+        <translation>Main suivie à %1</translation>
+    </message>
+    <message>
+        <source>Add a device …</source>
+        <translation>Ajouter un appareil …</translation>
     </message>
 </context>
 <context>
@@ -551,7 +598,7 @@
     </message>
     <message>
         <source>Ask the screening questions before any force.</source>
-        <translation>Posez les questions préalables avant tout effort.</translation>
+        <translation>Posez les questions de sécurité avant tout effort.</translation>
     </message>
     <message>
         <source>Looking whether this protocol was interrupted today …</source>
@@ -631,11 +678,11 @@
     </message>
     <message>
         <source>The device works again. The hand lets go; if Resume stays closed, stop, set the zero and repeat the trial.</source>
-        <translation>L’appareil fonctionne de nouveau. La main relâche ; si « Reprendre » reste fermé, arrêter, mettre à zéro et répéter l’essai.</translation>
+        <translation>L’appareil fonctionne de nouveau. La main relâche&#xa0;; si « Reprendre » reste fermé, arrêter, mettre à zéro et répéter l’essai.</translation>
     </message>
     <message>
         <source>The straps have been on for 20 minutes: look at the skin, then confirm that the hand is in and strapped.</source>
-        <translation>Les sangles sont en place depuis 20 minutes : regardez la peau, puis confirmez que la main est en place et sanglée.</translation>
+        <translation>Les sangles sont en place depuis 20 minutes&#xa0;: regardez la peau, puis confirmez que la main est en place et sanglée.</translation>
     </message>
     <message>
         <source>%1 Strap the hand in and say so; after a minute the resting force begins.</source>
@@ -731,11 +778,11 @@
     </message>
     <message>
         <source>Which arm works today? Choose right or left.</source>
-        <translation>Quel bras travaille aujourd’hui ? Choisir droite ou gauche.</translation>
+        <translation>Quel bras travaille aujourd’hui&#xa0;? Choisir droite ou gauche.</translation>
     </message>
     <message>
         <source>Ask the screening questions before any movement.</source>
-        <translation>Poser les questions préalables avant tout mouvement.</translation>
+        <translation>Poser les questions de sécurité avant tout mouvement.</translation>
     </message>
     <message>
         <source>Connect the cameras to begin the session.</source>
@@ -747,7 +794,7 @@
     </message>
     <message>
         <source>Ask the screening questions before any work.</source>
-        <translation>Posez les questions préalables avant tout travail.</translation>
+        <translation>Posez les questions de sécurité avant tout travail.</translation>
     </message>
     <message>
         <source>Choose the device, or the cameras that see an arm.</source>
@@ -835,7 +882,7 @@
     </message>
     <message>
         <source>Ask the screening questions of each hand before any force.</source>
-        <translation>Posez les questions préalables pour chaque main avant tout effort.</translation>
+        <translation>Posez les questions de sécurité pour chaque main avant tout effort.</translation>
     </message>
     <message>
         <source>Connecting to both platforms …</source>
@@ -991,11 +1038,58 @@
     </message>
     <message>
         <source>Ask the screening questions for the other arm. The cameras then connect by themselves.</source>
-        <translation>Posez les questions préalables pour l’autre bras. Les caméras se connectent ensuite d’elles-mêmes.</translation>
+        <translation>Posez les questions de sécurité pour l’autre bras. Les caméras se connectent ensuite d’elles-mêmes.</translation>
     </message>
     <message>
         <source>Ask the screening questions for the other hand. The device then connects by itself.</source>
-        <translation>Posez les questions préalables pour l’autre main. L’appareil se connecte ensuite de lui-même.</translation>
+        <translation>Posez les questions de sécurité pour l’autre main. L’appareil se connecte ensuite de lui-même.</translation>
+    </message>
+</context>
+<context>
+    <name>FlowFault</name>
+    <message>
+        <source>All that was measured is stored.</source>
+        <translation>Tout ce qui a été mesuré est enregistré.</translation>
+    </message>
+    <message>
+        <source>The trial stands still.</source>
+        <translation>L’essai est à l’arrêt.</translation>
+    </message>
+    <message>
+        <source>The trial stands still; all up to %1 is stored.</source>
+        <translation>L’essai est à l’arrêt&#xa0;; tout est enregistré jusqu’à %1.</translation>
+    </message>
+    <message>
+        <source>No session has begun, and nothing was changed.</source>
+        <translation>Aucune séance n’a commencé et rien n’a été modifié.</translation>
+    </message>
+    <message>
+        <source>What is stored where is said above.</source>
+        <translation>Ce qui est enregistré, et où, est dit au-dessus.</translation>
+    </message>
+    <message>
+        <source>All up to %1 is stored.</source>
+        <translation>Tout est enregistré jusqu’à %1.</translation>
+    </message>
+    <message>
+        <source>Look at cables and power. Try again ends this session; the next one begins with the questions before it.</source>
+        <translation>Vérifiez les câbles et l’alimentation. Réessayer termine cette séance&#xa0;; la suivante commence par les questions de sécurité.</translation>
+    </message>
+    <message>
+        <source>Look at cables and power of the device. Try again ends this session; the next one begins with the questions before it.</source>
+        <translation>Vérifiez les câbles et l’alimentation de l’appareil. Réessayer termine cette séance&#xa0;; la suivante commence par les questions de sécurité.</translation>
+    </message>
+    <message>
+        <source>Look at cables and power: it goes on when data arrive again.</source>
+        <translation>Vérifiez les câbles et l’alimentation&#xa0;: tout reprend dès que des données arrivent.</translation>
+    </message>
+    <message>
+        <source>Resume when the picture is back.</source>
+        <translation>Reprenez quand l’image est revenue.</translation>
+    </message>
+    <message>
+        <source>When it works again, the hand lets go; then resume. If Resume stays closed: stop, set the zero, repeat the trial.</source>
+        <translation>Quand il fonctionne à nouveau, la main relâche&#xa0;; puis reprenez. Si « Reprendre » reste fermé&#xa0;: arrêtez, réglez le zéro, répétez l’essai.</translation>
     </message>
 </context>
 <context>
@@ -1006,23 +1100,23 @@
     </message>
     <message>
         <source>%1: tied, this grasp holds (%2)</source>
-        <translation>%1 : lié, cette prise tient (%2)</translation>
+        <translation>%1&#xa0;: lié, cette prise tient (%2)</translation>
     </message>
     <message>
         <source>%1: tied, the grasp of %2 holds (%3)</source>
-        <translation>%1 : lié, la prise de %2 tient (%3)</translation>
+        <translation>%1&#xa0;: lié, la prise de %2 tient (%3)</translation>
     </message>
     <message>
         <source>%1: let go, pulled with %2 N &gt; %3 N</source>
-        <translation>%1 : lâché, traction %2 N &gt; %3 N</translation>
+        <translation>%1&#xa0;: lâché, traction %2 N &gt; %3 N</translation>
     </message>
     <message>
         <source>%1: let go, what was left held nothing</source>
-        <translation>%1 : lâché, ce qui restait ne tenait rien</translation>
+        <translation>%1&#xa0;: lâché, ce qui restait ne tenait rien</translation>
     </message>
     <message>
         <source>%1: let go for the person</source>
-        <translation>%1 : lâché pour la personne</translation>
+        <translation>%1&#xa0;: lâché pour la personne</translation>
     </message>
     <message>
         <source>The object was dropped</source>
@@ -1030,7 +1124,7 @@
     </message>
     <message>
         <source>%1: loose, the placement is over</source>
-        <translation>%1 : libre, le placement est terminé</translation>
+        <translation>%1&#xa0;: libre, le placement est terminé</translation>
     </message>
     <message>
         <source>, </source>
@@ -1731,15 +1825,15 @@
     </message>
     <message>
         <source>Next: both hands</source>
-        <translation>Ensuite : les deux mains</translation>
+        <translation>Ensuite&#xa0;: les deux mains</translation>
     </message>
     <message>
         <source>Next: left hand</source>
-        <translation>Ensuite : la main gauche</translation>
+        <translation>Ensuite&#xa0;: la main gauche</translation>
     </message>
     <message>
         <source>Next: right hand</source>
-        <translation>Ensuite : la main droite</translation>
+        <translation>Ensuite&#xa0;: la main droite</translation>
     </message>
     <message>
         <source>Let both hands rest</source>
@@ -1747,15 +1841,15 @@
     </message>
     <message>
         <source>Squeeze with both hands!</source>
-        <translation>Serrez avec les deux mains !</translation>
+        <translation>Serrez avec les deux mains&#xa0;!</translation>
     </message>
     <message>
         <source>Squeeze with the left hand!</source>
-        <translation>Serrez avec la main gauche !</translation>
+        <translation>Serrez avec la main gauche&#xa0;!</translation>
     </message>
     <message>
         <source>Squeeze with the right hand!</source>
-        <translation>Serrez avec la main droite !</translation>
+        <translation>Serrez avec la main droite&#xa0;!</translation>
     </message>
     <message>
         <source>Press with both hands</source>
@@ -1811,7 +1905,7 @@
     </message>
     <message>
         <source>It slides: press more firmly</source>
-        <translation>Il glisse : serrez plus fort</translation>
+        <translation>Il glisse&#xa0;: serrez plus fort</translation>
     </message>
     <message>
         <source>Then lift it with both hands</source>
@@ -1835,7 +1929,7 @@
     </message>
     <message>
         <source>It slipped: let both hands rest</source>
-        <translation>Il a glissé : laissez reposer les deux mains</translation>
+        <translation>Il a glissé&#xa0;: laissez reposer les deux mains</translation>
     </message>
     <message>
         <source>You may lift it again in a moment</source>
@@ -1851,7 +1945,7 @@
     </message>
     <message>
         <source>It was let go: let both hands rest</source>
-        <translation>Elle a été lâchée : laissez reposer les deux mains</translation>
+        <translation>Elle a été lâchée&#xa0;: laissez reposer les deux mains</translation>
     </message>
     <message>
         <source>Keep pressing from both sides</source>
@@ -2173,7 +2267,7 @@
     </message>
     <message>
         <source>The hand cannot be drawn: %1.</source>
-        <translation>La main ne peut pas être dessinée : %1.</translation>
+        <translation>La main ne peut pas être dessinée&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Size of the hand</source>
@@ -2181,7 +2275,7 @@
     </message>
     <message>
         <source>usual: not measured</source>
-        <translation>usuelle : non mesurée</translation>
+        <translation>usuelle&#xa0;: non mesurée</translation>
     </message>
     <message>
         <source>without the hand</source>
@@ -2843,7 +2937,7 @@
     </message>
     <message>
         <source>The arm cannot be drawn: %1.</source>
-        <translation>Le bras ne peut pas être dessiné : %1.</translation>
+        <translation>Le bras ne peut pas être dessiné&#xa0;: %1.</translation>
     </message>
     <message>
         <source>damaged</source>
@@ -2929,19 +3023,19 @@
     </message>
     <message>
         <source>middle: %1 mm along the tangent, %2 mm across it</source>
-        <translation>milieu : %1 mm le long de la tangente, %2 mm en travers</translation>
+        <translation>milieu&#xa0;: %1 mm le long de la tangente, %2 mm en travers</translation>
     </message>
     <message>
         <source>torsion: at most %1 N mm for each newton of pressure, %2 as a pure torque</source>
-        <translation>torsion : au plus %1 N mm par newton de pression, %2 en couple pur</translation>
+        <translation>torsion&#xa0;: au plus %1 N mm par newton de pression, %2 en couple pur</translation>
     </message>
     <message>
         <source>of %1 rays: %2</source>
-        <translation>sur %1 rayons : %2</translation>
+        <translation>sur %1 rayons&#xa0;: %2</translation>
     </message>
     <message>
         <source>Pad: %1</source>
-        <translation>Pulpe : %1</translation>
+        <translation>Pulpe&#xa0;: %1</translation>
     </message>
     <message>
         <source>no set of fingers</source>
@@ -3137,6 +3231,149 @@
     </message>
 </context>
 <context>
+    <name>isograsp::gui::AddDeviceDialog</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>%1 answers. Its camera is looked at in a session only, once a lawful basis is on record.</source>
+        <translation>%1 répond. On ne regarde par sa caméra que dans une séance, quand une base légale est enregistrée.</translation>
+    </message>
+    <message>
+        <source>%1. Works: %2 times a second, nothing missing.</source>
+        <translation>%1. Fonctionne&#xa0;: %2 fois par seconde, rien ne manque.</translation>
+    </message>
+    <message>
+        <source>%1 answers, but sends nothing whole: look at cables and power.</source>
+        <translation>%1 répond, mais n’envoie rien d’entier&#xa0;: vérifiez les câbles et l’alimentation.</translation>
+    </message>
+    <message>
+        <source>%1 answers, but parts are missing in %2 of %3 looks.</source>
+        <translation>%1 répond, mais il manque quelque chose dans %2 relevés sur %3.</translation>
+    </message>
+    <message>
+        <source>Add a device</source>
+        <translation>Ajouter un appareil</translation>
+    </message>
+    <message>
+        <source>Add the device</source>
+        <translation>Ajouter l’appareil</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Ce que c’est</translation>
+    </message>
+    <message>
+        <source>How the device is reached (arrow keys)</source>
+        <translation>Comment l’appareil est relié (flèches)</translation>
+    </message>
+    <message>
+        <source>Maker</source>
+        <translation>Fabricant</translation>
+    </message>
+    <message>
+        <source>Whose sensors they are (arrow keys)</source>
+        <translation>De qui sont les capteurs (flèches)</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Où</translation>
+    </message>
+    <message>
+        <source>Choose or type; empty: Find looks for it (Tab)</source>
+        <translation>Choisir ou saisir&#xa0;; vide&#xa0;: Chercher le trouve (Tab)</translation>
+    </message>
+    <message>
+        <source>Set-up</source>
+        <translation>Jeu de marqueurs</translation>
+    </message>
+    <message>
+        <source>The file that says how the sensors are mounted and set (arrow keys)</source>
+        <translation>Le fichier qui dit comment les capteurs sont montés et réglés (flèches)</translation>
+    </message>
+    <message>
+        <source>Rig</source>
+        <translation>Jeu de marqueurs</translation>
+    </message>
+    <message>
+        <source>What the markers are stuck to (arrow keys)</source>
+        <translation>Ce sur quoi les marqueurs sont collés (flèches)</translation>
+    </message>
+    <message>
+        <source>Room 2</source>
+        <translation>Salle 2</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>What people here call it (Tab)</source>
+        <translation>Comment on l’appelle ici (Tab)</translation>
+    </message>
+    <message>
+        <source>&amp;Find</source>
+        <translation>&amp;Chercher</translation>
+    </message>
+    <message>
+        <source>Find what answers</source>
+        <translation>Chercher ce qui répond</translation>
+    </message>
+    <message>
+        <source>Asks every place where such a device could be (Alt+F)</source>
+        <translation>Interroge tous les endroits où un tel appareil pourrait être (Alt+C)</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Quoi</translation>
+    </message>
+    <message>
+        <source>&amp;Check</source>
+        <translation>&amp;Vérifier</translation>
+    </message>
+    <message>
+        <source>Check the device</source>
+        <translation>Vérifier l’appareil</translation>
+    </message>
+    <message>
+        <source>Opens it, looks at it for a second and lets it go; nothing is recorded (Alt+C)</source>
+        <translation>L’ouvre, l’observe une seconde et le relâche&#xa0;; rien n’est enregistré (Alt+V)</translation>
+    </message>
+    <message>
+        <source>Asking</source>
+        <translation>Interroge</translation>
+    </message>
+    <message>
+        <source>192.168.1.1: the first of three in a row, or all three</source>
+        <translation>192.168.1.1&#xa0;: la première de trois qui se suivent, ou les trois</translation>
+    </message>
+    <message>
+        <source>three ports, with commas</source>
+        <translation>trois ports, avec des virgules</translation>
+    </message>
+    <message>
+        <source>as delivered</source>
+        <translation>tel que livré</translation>
+    </message>
+    <message>
+        <source>Another device has this name.</source>
+        <translation>Un autre appareil porte déjà ce nom.</translation>
+    </message>
+    <message>
+        <source>Asking %1 …</source>
+        <translation>Interroge %1 …</translation>
+    </message>
+    <message>
+        <source>Nothing answers. Asked last: %1</source>
+        <translation>Rien ne répond. Dernière demande&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::ArmPanel</name>
     <message>
         <source>Off by &lt;b&gt;%1&lt;/b&gt;, &lt;b&gt;%2&lt;/b&gt;; %3 mm of it in depth</source>
@@ -3220,19 +3457,19 @@
     </message>
     <message>
         <source>Practice %1 of %2 on a first visit; bout %3: %4 of %5.</source>
-        <translation>Entraînement %1 sur %2 à la première visite ; série %3 : %4 sur %5.</translation>
+        <translation>Entraînement %1 sur %2 à la première visite&#xa0;; série %3&#xa0;: %4 sur %5.</translation>
     </message>
     <message>
         <source>%1 Last two movements %2 % apart: ✓ enough on a later visit.</source>
-        <translation>%1 Deux derniers mouvements à %2 % près : ✓ assez lors d’une visite suivante.</translation>
+        <translation>%1 Deux derniers mouvements à %2 % près&#xa0;: ✓ assez lors d’une visite suivante.</translation>
     </message>
     <message>
         <source>%1 Last two movements %2 % apart: one more on a later visit.</source>
-        <translation>%1 Deux derniers mouvements à %2 % près : encore un lors d’une visite suivante.</translation>
+        <translation>%1 Deux derniers mouvements à %2 % près&#xa0;: encore un lors d’une visite suivante.</translation>
     </message>
     <message>
         <source>On a first visit 15 minutes, in bouts of 3 with a rest between them; later until two movements on end differ by less than 10 %, four at most. Practice is work, too</source>
-        <translation>À la première visite 15 minutes, par séries de 3 avec un repos entre elles ; ensuite jusqu’à ce que deux mouvements de suite diffèrent de moins de 10 %, quatre au plus. L’entraînement est aussi du travail</translation>
+        <translation>À la première visite 15 minutes, par séries de 3 avec un repos entre elles&#xa0;; ensuite jusqu’à ce que deux mouvements de suite diffèrent de moins de 10 %, quatre au plus. L’entraînement est aussi du travail</translation>
     </message>
 </context>
 <context>
@@ -3243,11 +3480,11 @@
     </message>
     <message>
         <source>Can do both, no pain, nothing else: own range</source>
-        <translation>Capable des deux, pas de douleur, rien d’autre : amplitude propre</translation>
+        <translation>Capable des deux, pas de douleur, rien d’autre&#xa0;: amplitude propre</translation>
     </message>
     <message>
         <source>No shoulder pain, no contracture, no tape allergy; turns by 10° and holds for 10 s (Alt+P)</source>
-        <translation>Ni douleur d’épaule, ni rétraction, ni allergie au ruban ; tourne de 10° et tient 10 s (Alt+L)</translation>
+        <translation>Ni douleur d’épaule, ni rétraction, ni allergie au ruban&#xa0;; tourne de 10° et tient 10 s (Alt+L)</translation>
     </message>
     <message>
         <source>%1 (Tab, then space)</source>
@@ -3267,7 +3504,7 @@
     </message>
     <message>
         <source>%1: passive range measured</source>
-        <translation>%1 : amplitude passive mesurée</translation>
+        <translation>%1&#xa0;: amplitude passive mesurée</translation>
     </message>
     <message>
         <source>No target goes beyond this range (Tab, then space)</source>
@@ -3283,7 +3520,7 @@
     </message>
     <message>
         <source>From neutral, thumb up; negative: neutral is not reached (Tab, arrow keys)</source>
-        <translation>Depuis la position neutre, pouce en haut ; négatif : la position neutre n’est pas atteinte (Tab, flèches)</translation>
+        <translation>Depuis la position neutre, pouce en haut&#xa0;; négatif&#xa0;: la position neutre n’est pas atteinte (Tab, flèches)</translation>
     </message>
     <message>
         <source>You decide for this arm</source>
@@ -3321,7 +3558,7 @@
     <name>isograsp::gui::BackupWork</name>
     <message>
         <source>No backup could be made: %1</source>
-        <translation>Aucune sauvegarde n’a pu être faite : %1</translation>
+        <translation>Aucune sauvegarde n’a pu être faite&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -3713,7 +3950,7 @@
     </message>
     <message>
         <source>Force and moment of each finger in its contact frame: z into the support, after the zero; how much of the friction on the virtual object is used (Tab, then arrow keys)</source>
-        <translation>Force et moment de chaque doigt dans ses axes de contact : z vers l’appui, après la mise à zéro ; part du frottement sur l’objet virtuel qui est utilisée (Tab, puis flèches)</translation>
+        <translation>Force et moment de chaque doigt dans ses axes de contact&#xa0;: z vers l’appui, après la mise à zéro&#xa0;; part du frottement sur l’objet virtuel qui est utilisée (Tab, puis flèches)</translation>
     </message>
     <message>
         <source>Friction</source>
@@ -3729,10 +3966,29 @@
     </message>
 </context>
 <context>
+    <name>isograsp::gui::ChosenPerson</name>
+    <message>
+        <source>tasks one by one</source>
+        <translation>tâches une à une</translation>
+    </message>
+    <message>
+        <source>%1   %2, %3, %4</source>
+        <translation>%1   %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>Choose a card to see how somebody is doing.</source>
+        <translation>Choisissez une carte pour voir comment va quelqu’un.</translation>
+    </message>
+    <message>
+        <source>No session yet.</source>
+        <translation>Pas encore de séance.</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::ClosingPanel</name>
     <message>
         <source>Effort and pain: not asked yet.</source>
-        <translation>Effort et douleur : pas encore demandés.</translation>
+        <translation>Effort et douleur&#xa0;: pas encore demandés.</translation>
     </message>
     <message>
         <source>Effort %1 of 10, pain %2 of 10.</source>
@@ -3760,7 +4016,7 @@
     </message>
     <message>
         <source>Means of today&apos;s trials and of the session before; a verdict of change for the primary measures (Tab, arrow keys)</source>
-        <translation>Moyennes des essais d’aujourd’hui et de la séance précédente ; pour les mesures principales un verdict de changement (Tab, flèches)</translation>
+        <translation>Moyennes des essais d’aujourd’hui et de la séance précédente&#xa0;; pour les mesures principales un verdict de changement (Tab, flèches)</translation>
     </message>
     <message>
         <source>Print for the patient …</source>
@@ -3792,11 +4048,11 @@
     </message>
     <message>
         <source>The printer takes nothing: is it connected, has it paper?</source>
-        <translation>L’imprimante n’accepte rien : est-elle branchée, a-t-elle du papier ?</translation>
+        <translation>L’imprimante n’accepte rien&#xa0;: est-elle branchée, a-t-elle du papier&#xa0;?</translation>
     </message>
     <message>
         <source>Today: %1, %2</source>
-        <translation>Aujourd’hui : %1, %2</translation>
+        <translation>Aujourd’hui&#xa0;: %1, %2</translation>
     </message>
     <message>
         <source>Looking at what is stored …</source>
@@ -3808,7 +4064,7 @@
     </message>
     <message>
         <source>Valid: nothing that was recorded speaks against today&apos;s values.</source>
-        <translation>Valable : rien de ce qui a été enregistré ne met en doute les valeurs d’aujourd’hui.</translation>
+        <translation>Valable&#xa0;: rien de ce qui a été enregistré ne met en doute les valeurs d’aujourd’hui.</translation>
     </message>
     <message>
         <source>To be kept in mind. %1</source>
@@ -3951,6 +4207,14 @@
     <message>
         <source>Begin the session, once the steps above are done (Alt+C)</source>
         <translation>Commencer la séance, une fois les étapes du dessus faites (Alt+C)</translation>
+    </message>
+    <message>
+        <source>Forget this device</source>
+        <translation>Oublier cet appareil</translation>
+    </message>
+    <message>
+        <source>Takes what was added here out of the list (Tab, then space)</source>
+        <translation>Retire de la liste ce qui a été ajouté ici (Tab, puis espace)</translation>
     </message>
 </context>
 <context>
@@ -4488,6 +4752,17 @@ Reconnecté&#xa0;: %7</translation>
     </message>
 </context>
 <context>
+    <name>isograsp::gui::FaultCard</name>
+    <message>
+        <source>Try again</source>
+        <translation>Réessayer</translation>
+    </message>
+    <message>
+        <source>What has failed (F8)</source>
+        <translation>Ce qui a échoué (F8)</translation>
+    </message>
+</context>
+<context>
     <name>isograsp::gui::FileInUse</name>
     <message>
         <source>IsoGrasp</source>
@@ -4886,7 +5161,7 @@ Reconnecté&#xa0;: %7</translation>
     </message>
     <message>
         <source>Who this code is; the audit log says who looked (Alt+Y)</source>
-        <translation>Qui est ce code ; le journal dit qui a regardé (Alt+Y)</translation>
+        <translation>Qui est ce code&#xa0;; le journal dit qui a regardé (Alt+Y)</translation>
     </message>
     <message>
         <source>&amp;Keep</source>
@@ -5251,7 +5526,7 @@ Reconnecté&#xa0;: %7</translation>
     <name>isograsp::gui::LoginPage</name>
     <message>
         <source>Who are you?</source>
-        <translation>Qui êtes-vous ?</translation>
+        <translation>Qui êtes-vous&#xa0;?</translation>
     </message>
     <message>
         <source>Your account (Alt+W, then arrow keys)</source>
@@ -5259,7 +5534,7 @@ Reconnecté&#xa0;: %7</translation>
     </message>
     <message>
         <source>&amp;Who are you?</source>
-        <translation>&amp;Qui êtes-vous ?</translation>
+        <translation>&amp;Qui êtes-vous&#xa0;?</translation>
     </message>
     <message>
         <source>With the &amp;password instead</source>
@@ -5393,7 +5668,7 @@ Reconnecté&#xa0;: %7</translation>
     </message>
     <message>
         <source>Go on or anew?</source>
-        <translation>Continuer ou recommencer ?</translation>
+        <translation>Continuer ou recommencer&#xa0;?</translation>
     </message>
     <message>
         <source>Choose the device</source>
@@ -5446,7 +5721,42 @@ Reconnecté&#xa0;: %7</translation>
     </message>
     <message>
         <source>x to the right, y up; arrows: fingers or hands, and where they press; outlines: targets in their order, dashed: where an object appears</source>
-        <translation>x vers la droite, y vers le haut ; flèches : doigts ou mains, et où ils appuient ; contours : cibles dans leur ordre, en pointillé : où un objet apparaît</translation>
+        <translation>x vers la droite, y vers le haut&#xa0;; flèches&#xa0;: doigts ou mains, et où ils appuient&#xa0;; contours&#xa0;: cibles dans leur ordre, en pointillé&#xa0;: où un objet apparaît</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::OpenSessionStrip</name>
+    <message>
+        <source>&amp;Go to it</source>
+        <translation>&amp;Y aller</translation>
+    </message>
+    <message>
+        <source>Go to the open session</source>
+        <translation>Aller à la séance ouverte</translation>
+    </message>
+    <message>
+        <source>Alt+G</source>
+        <translation>Alt+Y</translation>
+    </message>
+    <message>
+        <source>&amp;End it</source>
+        <translation>T&amp;erminer</translation>
+    </message>
+    <message>
+        <source>End the open session</source>
+        <translation>Terminer la séance ouverte</translation>
+    </message>
+    <message>
+        <source>All that was measured is kept; a trial that stands still is ended and marked (Alt+E)</source>
+        <translation>Tout ce qui a été mesuré est conservé&#xa0;; un essai arrêté est terminé et marqué (Alt+E)</translation>
+    </message>
+    <message>
+        <source>The session of %1, %2, is open since %3.</source>
+        <translation>La séance de %1, %2, est ouverte depuis %3.</translation>
+    </message>
+    <message>
+        <source>%1 A trial runs.</source>
+        <translation>%1 Un essai est en cours.</translation>
     </message>
 </context>
 <context>
@@ -5469,18 +5779,18 @@ Reconnecté&#xa0;: %7</translation>
     </message>
     <message>
         <source>What was done is kept; screening, zero and straps are asked anew, the device stays chosen (Tab, then space)</source>
-        <translation>Ce qui est fait est conservé ; les questions préalables, le zéro et les sangles sont redemandés, l’appareil reste choisi (Tab, puis espace)</translation>
+        <translation>Ce qui est fait est conservé&#xa0;; les questions de sécurité, le zéro et les sangles sont redemandés, l’appareil reste choisi (Tab, puis espace)</translation>
     </message>
 </context>
 <context>
     <name>isograsp::gui::PatchSketch</name>
     <message>
         <source>What the pads cover of the object: %1</source>
-        <translation>Ce que les pulpes couvrent de l’objet : %1</translation>
+        <translation>Ce que les pulpes couvrent de l’objet&#xa0;: %1</translation>
     </message>
     <message>
         <source>Each as the pad looks at the object, tangent up; dashed: the whole pad; filled: what it covers; cross: the middle of that; red: where a ray ends before the pad does</source>
-        <translation>Chacune comme elle regarde l’objet, tangente vers le haut ; pointillé : la pulpe entière ; rempli : ce qu’elle couvre ; croix : son milieu ; rouge : où un rayon finit avant la pulpe</translation>
+        <translation>Chacune comme elle regarde l’objet, tangente vers le haut&#xa0;; pointillé&#xa0;: la pulpe entière&#xa0;; rempli&#xa0;: ce qu’elle couvre&#xa0;; croix&#xa0;: son milieu&#xa0;; rouge&#xa0;: où un rayon finit avant la pulpe</translation>
     </message>
     <message>
         <source>%1 mm</source>
@@ -6228,7 +6538,7 @@ Reconnecté&#xa0;: %7</translation>
     </message>
     <message>
         <source>Zero, empty</source>
-        <translation>Zéro, à vide</translation>
+        <translation>Zéro (sans la main)</translation>
     </message>
     <message>
         <source>Hand in</source>
@@ -6356,7 +6666,7 @@ Reconnecté&#xa0;: %7</translation>
     </message>
     <message>
         <source>Zeros, both empty</source>
-        <translation>Zéros, à vide</translation>
+        <translation>Zéros (sans les mains)</translation>
     </message>
     <message>
         <source>Hands in</source>
@@ -6380,7 +6690,7 @@ Reconnecté&#xa0;: %7</translation>
     </message>
     <message>
         <source>Protocol: %1</source>
-        <translation>Protocole : %1</translation>
+        <translation>Protocole&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -6656,19 +6966,19 @@ Reconnecté&#xa0;: %7</translation>
     </message>
     <message>
         <source>Not hidden from whoever has the file: codes, dates, forces, the names of those who work here. Not noticed: an older copy of the file that is put back together with its FILE-audit.</source>
-        <translation>Non caché à qui possède le fichier : codes, dates, forces, noms de ceux qui travaillent ici. Non remarqué : une copie plus ancienne du fichier, remise en place avec son FILE-audit.</translation>
+        <translation>Non caché à qui possède le fichier&#xa0;: codes, dates, forces, noms de ceux qui travaillent ici. Non remarqué&#xa0;: une copie plus ancienne du fichier, remise en place avec son FILE-audit.</translation>
     </message>
     <message>
         <source>This database has no passphrase: whoever has the file can read all of it. What is changed, removed or added by another program is found by isograsp db check.</source>
-        <translation>Cette base de données n’a pas de phrase de passe : qui possède le fichier peut tout lire. Ce qu’un autre programme modifie, supprime ou ajoute est découvert par isograsp db check.</translation>
+        <translation>Cette base de données n’a pas de phrase de passe&#xa0;: qui possède le fichier peut tout lire. Ce qu’un autre programme modifie, supprime ou ajoute est découvert par isograsp db check.</translation>
     </message>
     <message>
         <source>Not noticed: changes by somebody who computes seals and log anew, and an older copy of the file that is put back. isograsp db protect gives the database a passphrase.</source>
-        <translation>Non remarqué : des modifications de quelqu’un qui recalcule sceaux et journal, et une copie plus ancienne du fichier remise en place. isograsp db protect donne une phrase de passe à la base de données.</translation>
+        <translation>Non remarqué&#xa0;: des modifications de quelqu’un qui recalcule sceaux et journal, et une copie plus ancienne du fichier remise en place. isograsp db protect donne une phrase de passe à la base de données.</translation>
     </message>
     <message>
         <source>What helps: an encrypted disk, copies elsewhere, and on paper the head of the audit log and the key of signed backups (isograsp db audit).</source>
-        <translation>Ce qui aide : un disque chiffré, des copies ailleurs et, sur papier, la tête du journal et la clé des sauvegardes signées (isograsp db audit).</translation>
+        <translation>Ce qui aide&#xa0;: un disque chiffré, des copies ailleurs et, sur papier, la tête du journal et la clé des sauvegardes signées (isograsp db audit).</translation>
     </message>
 </context>
 <context>
@@ -6866,7 +7176,7 @@ Reconnecté&#xa0;: %7</translation>
     </message>
     <message>
         <source>The printer takes nothing: is it connected, has it paper?</source>
-        <translation>L’imprimante n’accepte rien : est-elle branchée, a-t-elle du papier ?</translation>
+        <translation>L’imprimante n’accepte rien&#xa0;: est-elle branchée, a-t-elle du papier&#xa0;?</translation>
     </message>
 </context>
 <context>
@@ -7027,7 +7337,7 @@ Reconnecté&#xa0;: %7</translation>
     </message>
     <message>
         <source>&amp;Helped</source>
-        <translation>&amp;Aidé</translation>
+        <translation>Avec &amp;aide</translation>
     </message>
     <message>
         <source>The therapist helps or helped in this trial</source>
@@ -7372,7 +7682,7 @@ Reconnecté&#xa0;: %7</translation>
     </message>
     <message>
         <source>The task asks for %1° per newton; the patient&apos;s screen can show %2°, which is stored. Nearer eyes or a larger picture show more.</source>
-        <translation>La tâche demande %1° par newton ; l’écran du patient peut montrer %2°, ce qui est enregistré. Des yeux plus proches ou une image plus grande montrent davantage.</translation>
+        <translation>La tâche demande %1° par newton&#xa0;; l’écran du patient peut montrer %2°, ce qui est enregistré. Des yeux plus proches ou une image plus grande montrent davantage.</translation>
     </message>
 </context>
 <context>
@@ -7626,7 +7936,7 @@ Reconnecté&#xa0;: %7</translation>
     </message>
     <message>
         <source>Who works here; stored with sessions, zeros and resting forces. In a protected database it is whoever logs in (Alt+O)</source>
-        <translation>Qui travaille ici ; enregistré avec les séances, zéros et forces de repos. Dans une base protégée, c’est la personne connectée (Alt+U)</translation>
+        <translation>Qui travaille ici&#xa0;; enregistré avec les séances, zéros et forces de repos. Dans une base protégée, c’est la personne connectée (Alt+U)</translation>
     </message>
     <message>
         <source>&amp;Operator</source>
@@ -7742,16 +8052,8 @@ Reconnecté&#xa0;: %7</translation>
         <translation>Patients</translation>
     </message>
     <message>
-        <source>Search a code</source>
-        <translation>Chercher un code</translation>
-    </message>
-    <message>
         <source>Search patients</source>
         <translation>Chercher des patients</translation>
-    </message>
-    <message>
-        <source>Type a part of the code (Ctrl+F)</source>
-        <translation>Saisir une partie du code (Ctrl+F)</translation>
     </message>
     <message>
         <source>Choose a patient; Enter begins a session (Tab, arrow keys)</source>
@@ -7768,58 +8070,6 @@ Reconnecté&#xa0;: %7</translation>
     <message>
         <source>Add a patient with a generated code and begin a session (Alt+A)</source>
         <translation>Ajouter un patient avec un code généré et commencer une séance (Alt+A)</translation>
-    </message>
-    <message>
-        <source>&amp;Begin session</source>
-        <translation>&amp;Commencer la séance</translation>
-    </message>
-    <message>
-        <source>Begin a session</source>
-        <translation>Commencer une séance</translation>
-    </message>
-    <message>
-        <source>With the chosen patient (Alt+B)</source>
-        <translation>Avec le patient choisi (Alt+C)</translation>
-    </message>
-    <message>
-        <source>Open pat&amp;ient</source>
-        <translation>&amp;Ouvrir le patient</translation>
-    </message>
-    <message>
-        <source>Open the patient</source>
-        <translation>Ouvrir le patient</translation>
-    </message>
-    <message>
-        <source>Sessions, measures and trials so far (Alt+I)</source>
-        <translation>Séances, mesures et essais jusqu’ici (Alt+O)</translation>
-    </message>
-    <message>
-        <source>Recent sessions</source>
-        <translation>Séances récentes</translation>
-    </message>
-    <message>
-        <source>When</source>
-        <translation>Date</translation>
-    </message>
-    <message>
-        <source>Patient</source>
-        <translation>Patient</translation>
-    </message>
-    <message>
-        <source>Hand</source>
-        <translation>Main</translation>
-    </message>
-    <message>
-        <source>Protocol</source>
-        <translation>Protocole</translation>
-    </message>
-    <message>
-        <source>Enter opens the patient (Tab, arrow keys)</source>
-        <translation>Entrée ouvre le patient (Tab, flèches)</translation>
-    </message>
-    <message>
-        <source>No sessions yet.</source>
-        <translation>Pas encore de séances.</translation>
     </message>
     <message>
         <source>This clinic is empty</source>
@@ -7850,46 +8100,6 @@ Reconnecté&#xa0;: %7</translation>
         <translation>Pas encore de patients. Ajoutez le premier.</translation>
     </message>
     <message>
-        <source>No code contains this text.</source>
-        <translation>Aucun code ne contient ce texte.</translation>
-    </message>
-    <message>
-        <source>left</source>
-        <translation>gauche</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>droite</translation>
-    </message>
-    <message>
-        <source>Tasks one by one</source>
-        <translation>Tâches une par une</translation>
-    </message>
-    <message>
-        <source>%1, simulated</source>
-        <translation>%1, simulé</translation>
-    </message>
-    <message>
-        <source>No session yet; added %1</source>
-        <translation>Pas encore de séance ; ajouté le %1</translation>
-    </message>
-    <message>
-        <source>Last session %1, %2</source>
-        <translation>Dernière séance %1, %2</translation>
-    </message>
-    <message>
-        <source>left hand</source>
-        <translation>main gauche</translation>
-    </message>
-    <message>
-        <source>right hand</source>
-        <translation>main droite</translation>
-    </message>
-    <message>
-        <source>TODAY</source>
-        <translation>AUJOURD’HUI</translation>
-    </message>
-    <message>
         <source>Show &amp;names</source>
         <translation>Montrer les &amp;noms</translation>
     </message>
@@ -7899,19 +8109,23 @@ Reconnecté&#xa0;: %7</translation>
     </message>
     <message>
         <source>Names beside codes, until the window is locked; the audit log says who read them (Alt+N)</source>
-        <translation>Noms à côté des codes, jusqu’au verrouillage de la fenêtre ; le journal dit qui les a lus (Alt+N)</translation>
+        <translation>Noms à côté des codes, jusqu’au verrouillage de la fenêtre&#xa0;; le journal dit qui les a lus (Alt+N)</translation>
     </message>
     <message>
-        <source>%1. %2</source>
-        <translation>%1. %2</translation>
+        <source>Search: code, treatment, protocol</source>
+        <translation>Recherche&#xa0;: code, traitement, protocole</translation>
     </message>
     <message>
-        <source>both</source>
-        <translation>les deux</translation>
+        <source>A part of the code, of a treatment, of a protocol, or of a name that is shown (Ctrl+F)</source>
+        <translation>Une partie du code, d’un traitement, d’un protocole ou d’un nom affiché (Ctrl+F)</translation>
     </message>
     <message>
-        <source>both hands</source>
-        <translation>les deux mains</translation>
+        <source>%1 more are found by the search.</source>
+        <translation>La recherche en trouve %1 de plus.</translation>
+    </message>
+    <message>
+        <source>Nobody is found by this text.</source>
+        <translation>Ce texte ne permet de trouver personne.</translation>
     </message>
 </context>
 <context>
@@ -8472,7 +8686,90 @@ Dernière valeur %3.%4 Les flèches passent à l’image suivante, Entrée ou un
     </message>
     <message>
         <source>What the patient saw: the force of each hand and what was asked (Space)</source>
-        <translation>Ce que le patient a vu : la force de chaque main et ce qui était demandé (espace)</translation>
+        <translation>Ce que le patient a vu&#xa0;: la force de chaque main et ce qui était demandé (espace)</translation>
+    </message>
+</context>
+<context>
+    <name>isograsp::gui::VisitCard</name>
+    <message>
+        <source>tasks one by one</source>
+        <translation>tâches une à une</translation>
+    </message>
+    <message>
+        <source>TODAY</source>
+        <translation>AUJOURD’HUI</translation>
+    </message>
+    <message>
+        <source>USUAL DAY</source>
+        <translation>JOUR HABITUEL</translation>
+    </message>
+    <message>
+        <source>Unfinished since %1: %2</source>
+        <translation>Inachevé depuis %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Next: %1</source>
+        <translation>Ensuite&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Next: first session</source>
+        <translation>Ensuite&#xa0;: première séance</translation>
+    </message>
+    <message>
+        <source>Last session %1, %2</source>
+        <translation>Dernière séance %1, %2</translation>
+    </message>
+    <message>
+        <source>No session yet; added %1</source>
+        <translation>Pas encore de séance&#xa0;; ajouté le %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Commencer</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Begin a session with %1</source>
+        <translation>Commencer une séance avec %1</translation>
+    </message>
+    <message>
+        <source>Enter on the card begins, too</source>
+        <translation>Entrée sur la carte commence aussi</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>Ouvrir %1</translation>
+    </message>
+    <message>
+        <source>Sessions, measures and trials so far (Ctrl+2)</source>
+        <translation>Séances, mesures et essais jusqu’ici (Ctrl+2)</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <translation>%1  %2</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>Retirer %1</translation>
+    </message>
+    <message>
+        <source>Added by mistake: nothing is stored of this person; the log keeps that it was removed</source>
+        <translation>Ajouté par erreur&#xa0;: rien n’est enregistré de cette personne&#xa0;; le journal garde la trace du retrait</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>

@@ -56,6 +56,10 @@ QString local_time(const std::string& utc) {
   return in_form(utc, date_form() + QStringLiteral(" HH:mm"));
 }
 
+QString local_clock(const std::string& utc) {
+  return in_form(utc, QStringLiteral("HH:mm:ss"));
+}
+
 QString local_date(const std::string& utc) {
   return in_form(utc, date_form());
 }

@@ -20,6 +20,8 @@ namespace isograsp::gui {
 [[nodiscard]] QString short_number(double value);
 /// "2026-11-21 14:05" of an ISO 8601 time in UTC, in local time and the form of the language.
 [[nodiscard]] QString local_time(const std::string& utc);
+/// The time of the day of it, with its seconds: "14:05:32".
+[[nodiscard]] QString local_clock(const std::string& utc);
 /// The day of it.
 [[nodiscard]] QString local_date(const std::string& utc);
 /// One line: rate is kept, gaps, losses, lateness.

@@ -18,7 +18,7 @@ Result<std::vector<PatientVerdict>> gather_verdicts(storage::SessionStore& store
   const VerdictContext context{store, records->primaries, records->profile, renewal};
   std::vector<PatientVerdict> all;
   for (const auto& primary : context.primaries) {
-    PatientVerdict one{primary, "", Source::device, 1, {}};
+    PatientVerdict one{primary, "", Source::device, 1, {}, {}};
     if (const auto task = tasks.find({primary.hand, primary.task_name}); task != tasks.end()) {
       auto section = make_section(context, task->second, records->shown);
       if (!section) return section.error();
@@ -27,6 +27,8 @@ Result<std::vector<PatientVerdict>> gather_verdicts(storage::SessionStore& store
       for (auto& series : section->series)
         if (series.name == primary.measure && series.channel == primary.channel) {
           one.unit = series.unit;
+          for (const auto& value : series.values)
+            if (value.mean) one.values.push_back(*value.mean);
           one.verdict = std::move(series.verdict);
         }
     }

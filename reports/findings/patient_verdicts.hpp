@@ -16,6 +16,7 @@ struct PatientVerdict {
   std::string unit;  ///< empty where nothing was assessed
   Source source = Source::device;
   int task_version = 1;
+  std::vector<double> values;  ///< means of the sessions that have one, oldest first
   /// Nothing: no assessment yet.
   std::optional<ChangeVerdict> verdict;
 };

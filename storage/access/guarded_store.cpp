@@ -117,6 +117,11 @@ Result<PatientRecord> GuardedStore::add_patient(const std::string& code,
                 [&] { return behind().add_patient(code, created_utc, uuid); });
 }
 
+Result<void> GuardedStore::remove_patient(RowId patient) {
+  return logged("remove patient", code_of(patient), "",
+                [&] { return behind().remove_patient(patient); });
+}
+
 Result<RowId> GuardedStore::begin_session(const SessionRecord& session,
                                           std::span<const SessionAnswer> answers) {
   const std::string code = code_of(session.patient_id);

@@ -25,6 +25,7 @@ class GuardedStore final : public ForwardingStore<SqliteStore> {
   [[nodiscard]] Result<PatientRecord> add_patient(const std::string& code,
                                                   const std::string& created_utc,
                                                   const std::string& uuid) override;
+  [[nodiscard]] Result<void> remove_patient(RowId patient) override;
   [[nodiscard]] Result<EventRecord> as_stored(const EventPlace& place,
                                               const EventRecord& event) override;
   [[nodiscard]] Result<RowId> begin_session(const SessionRecord& session,

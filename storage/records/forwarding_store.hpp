@@ -35,6 +35,9 @@ class ForwardingStore : public SessionStore {
                                                   const std::string& uuid) override {
     return store_->add_patient(code, created_utc, uuid);
   }
+  [[nodiscard]] Result<void> remove_patient(RowId patient) override {
+    return store_->remove_patient(patient);
+  }
   [[nodiscard]] Result<RowId> begin_session(const SessionRecord& session,
                                             std::span<const SessionAnswer> answers) override {
     return store_->begin_session(session, answers);

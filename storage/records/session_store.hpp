@@ -43,6 +43,8 @@ class SessionStore {
   [[nodiscard]] virtual Result<PatientRecord> add_patient(const std::string& code,
                                                           const std::string& created_utc = "",
                                                           const std::string& uuid = "") = 0;
+  /// Takes back somebody who was added by mistake: refused once anything is stored of them.
+  [[nodiscard]] virtual Result<void> remove_patient(RowId patient) = 0;
   /// The session with its first answers, both or neither.
   [[nodiscard]] virtual Result<RowId> begin_session(
       const SessionRecord& session, std::span<const SessionAnswer> answers = {}) = 0;

@@ -29,6 +29,7 @@ class SqliteStore final : public SessionStore {
   [[nodiscard]] Result<PatientRecord> add_patient(const std::string& code,
                                                   const std::string& created_utc,
                                                   const std::string& uuid) override;
+  [[nodiscard]] Result<void> remove_patient(RowId patient) override;
   [[nodiscard]] Result<void> in_place() override;
   [[nodiscard]] bool is_last_hold() override { return database_.is_last_hold(); }
   [[nodiscard]] Result<void> save_copy(const std::string& to) override;

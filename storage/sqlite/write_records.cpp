@@ -86,6 +86,34 @@ Result<PatientRecord> SqliteStore::add_patient(const std::string& code,
   return patient;
 }
 
+Result<void> SqliteStore::remove_patient(RowId patient) {
+  return database_.transact("removing a patient"_text, [&] {
+    require("patients", "patient"_text, patient);
+    soci::session& sql = database_.sql();
+    // Whatever table refers to people, also one that is added later.
+    std::vector<std::string> rows_of_person;
+    std::string table;
+    std::string column;
+    soci::statement refers =
+        (sql.prepare << "SELECT m.name, f.\"from\" FROM sqlite_master m, "
+                        "pragma_foreign_key_list(m.name) f "
+                        "WHERE m.type = 'table' AND f.\"table\" = 'patients' ORDER BY m.name",
+         soci::into(table), soci::into(column));
+    refers.execute();
+    while (refers.fetch())
+      rows_of_person.push_back("SELECT count(*) FROM " + table + " WHERE " + column + " = :id");
+    for (const std::string& count : rows_of_person) {
+      int rows = 0;
+      sql << count, soci::use(patient), soci::into(rows);
+      if (rows > 0)
+        throw Refusal{refused("something is stored of this person already"_text,
+                              "keep the person; what was stored by mistake can be corrected"_text)
+                          .at(path())};
+    }
+    sql << "DELETE FROM patients WHERE id = :id", soci::use(patient);
+  });
+}
+
 Result<RowId> SqliteStore::begin_session(const SessionRecord& session,
                                          std::span<const SessionAnswer> answers) {
   RowId id = 0;

@@ -120,6 +120,22 @@ TEST_F(FaultDuringATrial, AnUnpluggedSensorIsSaidAndTheTrialGoesOnWhenItIsBack) 
   EXPECT_EQ(trials[0].dropped, 0);
 }
 
+TEST_F(FaultDuringATrial, ACardSaysUpToWhenAllIsStored) {
+  start_trial("silence=index:30s@10s");
+  expect_both_screens_say_so("index");
+  const auto& safe = operator_.find<QLabel>("fault_safe");
+  ASSERT_TRUE(wait_until([&] { return safe.isVisible(); }));
+  keep_picture(windows_.therapist(), "fault");
+  const auto until = QTime::fromString(safe.text().section(' ', -3, -3), "HH:mm:ss");
+  ASSERT_TRUE(until.isValid()) << safe.text().toStdString();
+  constexpr int kBlock_s = 3;  // of a second, stored within another one, seen within a third
+  EXPECT_LE(until.secsTo(QTime::currentTime()), kBlock_s) << safe.text().toStdString();
+  EXPECT_TRUE(operator_.find<QLabel>("fault_happened").text().contains("index"));
+  EXPECT_FALSE(operator_.find<QAbstractButton>("try_again").isVisible()) << "it can go on";
+  operator_.press("stop");
+  operator_.finish_task();
+}
+
 TEST_F(FaultDuringATrial, AFrozenSensorIsSaid) {
   start_trial("freeze=middle:30s@10s");
   expect_both_screens_say_so("middle");

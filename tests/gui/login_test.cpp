@@ -152,6 +152,7 @@ TEST_F(LoginTest, TheLockClosesWhatWasOpenAndAPinOpensItAgain) {
   EXPECT_FALSE(windows_->staff().closed())
       << operator_->find<QLabel>("login_problem").text().toStdString();
   EXPECT_TRUE(list.isVisible());
+  ASSERT_TRUE(wait_until([&] { return list.count() == 1; }));
   EXPECT_FALSE(list.item(0)->toolTip().contains("Maria Berger"));
 }
 

@@ -37,6 +37,15 @@ void make_history(const std::string& database, const std::string& code,
     ASSERT_TRUE(session.ok()) << session.error().message();
     ASSERT_TRUE(session::run_protocol(**session, *protocol, [](const auto&) {}).ok());
   }
+  auto store = storage::open_store(database, storage::OpenMode::existing);
+  ASSERT_TRUE(store.ok());
+  storage::PrimaryMeasure primary;
+  primary.task_name = "Maximum grip force";
+  primary.measure = "maximum_force";
+  primary.channel = "grip";
+  primary.chosen_by = "Ada";
+  ASSERT_TRUE(
+      (*store)->add_primary_measure((*store)->find_patient(code)->value().id, primary).ok());
 }
 
 class Photographer {
@@ -116,7 +125,7 @@ void photograph(const QString& output, const std::string& language) {
   auto& presenter = windows.presenter();
   therapist.find<QListWidget>("patient_list").setCurrentRow(0);
   ASSERT_TRUE(wait_until([&] { return !windows.clinic().history_loading(); }));
-  therapist.press("begin_session");
+  therapist.press("begin_P-7M2H5");
   photographer.take_therapist("therapist_hand");
   therapist.press("hand_right");
   photographer.take_therapist("therapist_screening");

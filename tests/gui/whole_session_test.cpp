@@ -251,10 +251,9 @@ TEST_F(WholeSession, SessionsNeedFewClicksAndNoTyping) {
   auto& patients = operator_.find<QListWidget>("patient_list");
   ASSERT_TRUE(laid_out(windows_.therapist()));
   ASSERT_TRUE(wait_until([&] { return patients.isEnabled() && patients.count() == 1; }));
-  QTest::mouseClick(patients.viewport(), Qt::LeftButton, {},
-                    patients.visualItemRect(patients.item(0)).center());
-  for (const char* button :
-       {"begin_session", "hand_right", "screening_clear", "connect", "zero", "strapped"})
+  operator_.press(qPrintable(QStringLiteral("begin_") + patients.item(0)->text()));
+  EXPECT_EQ(presenter.state().chosen_protocol().spec.name, "First session") << "as last time";
+  for (const char* button : {"hand_right", "screening_clear", "connect", "zero", "strapped"})
     operator_.press(button);
   ASSERT_TRUE(wait_until([&] { return presenter.flow().view().may_stop; }, 90));
   EXPECT_LE(known.clicks, kMostWhenKnown);

@@ -195,11 +195,32 @@ TEST_F(TherapistWindowTest, ExactlyTheNextButtonIsHighlighted) {
   EXPECT_TRUE(wait_until([&] { return highlighted() == QStringList{"connect"}; }));
 }
 
+TEST_F(TherapistWindowTest, WhatCouldNotBeConnectedIsTriedAgainWithOnePress) {
+  const auto recording = folder_.path("later.csv");
+  operator_.prepare_person();
+  windows_.presenter().choices().choose_device("replay://" + recording);
+  operator_.press("connect");
+  const auto& happened = operator_.find<QLabel>("fault_happened");
+  ASSERT_TRUE(wait_until([&] { return happened.isVisible(); }));
+  EXPECT_TRUE(happened.text().contains("later.csv")) << happened.text().toStdString();
+  EXPECT_EQ(operator_.find<QLabel>("fault_safe").text(),
+            "No session has begun, and nothing was changed.");
+  EXPECT_FALSE(operator_.find<QLabel>("fault_remedy").text().isEmpty());
+  EXPECT_EQ(operator_.find<QAbstractButton>("next_thing").text(), "Try again");
+  keep_picture(windows_.therapist(), "try_again");
+  operator_.press("try_again");
+  ASSERT_TRUE(wait_until([&] { return !windows_.presenter().state().busy(); }));
+  EXPECT_TRUE(happened.isVisible()) << "it is still not there";
+  windows_.presenter().choices().choose_device("sim://healthy?seed=7");
+  EXPECT_FALSE(happened.isVisible()) << "something else was chosen";
+}
+
 TEST_F(TherapistWindowTest, SearchFindsAPatientByAnyPartOfTheCode) {
   operator_.add_patient();
   auto& list = operator_.find<QListWidget>("patient_list");
   auto& search = operator_.find<QLineEdit>("patient_search");
   const auto code = QString::fromStdString(windows_.clinic().patients()[0].code);
+  ASSERT_TRUE(wait_until([&] { return list.count() == 1; }));
   QTest::keyClicks(&search, code.mid(3).toLower());
   EXPECT_EQ(list.count(), 1);
   search.setText("nobody");
@@ -228,7 +249,7 @@ TEST_F(TherapistWindowTest, WhoIsHereTodayStandsFirstAndSaysSo) {
   windows.therapist().show();
   const auto& list = Operator(windows).find<QListWidget>("patient_list");
   ASSERT_TRUE(wait_until(
-      [&] { return list.count() == 3 && list.item(1)->toolTip().contains("Last session"); }));
+      [&] { return list.count() == 3 && list.item(2)->toolTip().contains("No session yet"); }));
   EXPECT_EQ(list.item(0)->text(), "P-0002");
   EXPECT_TRUE(list.item(0)->toolTip().contains("TODAY"));
   EXPECT_EQ(list.item(1)->text(), "P-0001");

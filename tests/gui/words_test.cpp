@@ -11,7 +11,7 @@
 #include "device/config/uri.hpp"
 #include "gui/clinic/history.hpp"
 #include "gui/clinic/patient_code.hpp"
-#include "gui/force_pages/device_list.hpp"
+#include "gui/device_pages/device_list.hpp"
 #include "gui/look/force_history.hpp"
 #include "storage/records/patient_code.hpp"
 #include "tests/support/every.hpp"
@@ -41,7 +41,7 @@ TEST(DeviceList, FindsCanInterfacesAndNothingElse) {
     std::filesystem::create_directory(folder.path(name));
     folder.write(std::string(name) + "/type", type);
   }
-  const auto choices = list_devices("", folder.path());
+  const auto choices = list_devices("", {}, folder.path());
   ASSERT_GE(choices.size(), 2U);
   EXPECT_EQ(choices[0].uri, "can://can0?protocol=rft");
   EXPECT_EQ(choices[1].uri, "can://can1?protocol=rft");
@@ -50,10 +50,10 @@ TEST(DeviceList, FindsCanInterfacesAndNothingElse) {
 }
 
 TEST(DeviceList, ThePresetStandsFirstAndOnlyOnce) {
-  const auto known = list_devices("sim://paretic?seed=7", "/nonexistent");
+  const auto known = list_devices("sim://paretic?seed=7", {}, "/nonexistent");
   EXPECT_EQ(known[0].uri, "sim://paretic?seed=7");
-  EXPECT_EQ(known.size(), list_devices("", "/nonexistent").size());
-  const auto other = list_devices("sim://healthy?seed=9", "/nonexistent");
+  EXPECT_EQ(known.size(), list_devices("", {}, "/nonexistent").size());
+  const auto other = list_devices("sim://healthy?seed=9", {}, "/nonexistent");
   EXPECT_EQ(other[0].uri, "sim://healthy?seed=9");
 }
 

@@ -196,8 +196,9 @@ TEST_F(ProtectedClinic, AResearcherWhoTakesOverEndsTheRecordingAndWritesNothingE
   must(store->end_trial(trial, {}));
   const std::vector<SessionAnswer> answers{{"posture", "seat", "chair"}};
   for (const std::string& why :
-       {refusal(store->add_patient("P-2")), refusal(store->remove_treatment_mark(mark)),
-        refusal(store->set_profile(patient, {})), refusal(store->mark_helped(trial.id, true)),
+       {refusal(store->add_patient("P-2")), refusal(store->remove_patient(patient)),
+        refusal(store->remove_treatment_mark(mark)), refusal(store->set_profile(patient, {})),
+        refusal(store->mark_helped(trial.id, true)),
         refusal(store->begin_session(example_session(patient))),
         refusal(store->add_answers(session, answers)),
         refusal(store->add_preparation(example_preparation(session))),

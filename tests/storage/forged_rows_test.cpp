@@ -159,6 +159,22 @@ TEST_P(Forged, ARowThatIsRemovedHereAndMadeAnewProves) {
   expect({});
 }
 
+TEST_P(Forged, APersonWhoIsTakenBackAndAnotherOneInTheirPlaceProve) {
+  for (int time = 0; time < 3; ++time) {
+    const auto store = opened(path, OpenMode::existing);
+    const auto mistaken = must(store->add_patient("P-8"));
+    must(store->remove_patient(mistaken.id));
+    const auto meant = must(store->add_patient("P-9"));
+    EXPECT_EQ(meant.id, mistaken.id) << "the same number";
+    const auto refused = store->remove_patient(1);
+    ASSERT_FALSE(refused.ok()) << "there are sessions";
+    EXPECT_NE(refused.error().message().find("something is stored"), std::string::npos);
+    must(store->remove_patient(meant.id));
+    EXPECT_FALSE(store->remove_patient(meant.id).ok()) << "is gone";
+  }
+  expect({});
+}
+
 TEST_P(Forged, MergingTakesInNoForgery) {
   const std::string other = folder.file("other.db");
   record(other, "P-2");

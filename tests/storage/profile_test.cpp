@@ -64,6 +64,20 @@ TEST_F(Profile, TreatmentMarksComeBackByDateAndCanBeRemoved) {
   EXPECT_EQ(must(store->treatment_marks(patient)), std::vector{both[1]});
 }
 
+TEST_F(Profile, APersonOfWhomAnythingIsKnownIsNotTakenBack) {
+  const RowId other = must(store->add_patient("P-77")).id;
+  PatientProfile profile;
+  profile.onset_date = "2026-01-05";
+  must(store->set_profile(other, profile));
+  EXPECT_FALSE(store->remove_patient(other).ok());
+  const RowId marked = must(store->add_patient("P-78")).id;
+  const RowId mark = must(store->add_treatment_mark(marked, {0, "2026-01-05", "drug", ""}));
+  EXPECT_FALSE(store->remove_patient(marked).ok());
+  must(store->remove_treatment_mark(mark));
+  must(store->remove_patient(marked));
+  EXPECT_FALSE(must(store->find_patient("P-78")).has_value());
+}
+
 TEST_F(Profile, EveryKindOfTreatmentIsTakenAndNoOther) {
   for (const auto kind : kTreatmentKinds)
     must(store->add_treatment_mark(patient, {0, "2026-03-05", std::string(kind), ""}));

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gui/force_pages/device_list.hpp"
+#include "gui/device_pages/device_list.hpp"
 
 #include <QCoreApplication>
 #include <QString>
 #include <algorithm>
-#include <array>
-#include <filesystem>
-#include <fstream>
 #include <utility>
 
+#include "device/config/uri.hpp"
+#include "gui/device_pages/device_address.hpp"
+#include "gui/library/session_library.hpp"
+#include "session/open_apparatus.hpp"
 #include "session/open_two_platforms.hpp"
 
 namespace isograsp::gui {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -25,26 +24,35 @@ std::string text(const QString& words) {
   return words.toStdString();
 }
 
-std::vector<std::string> can_interfaces(const std::string& network_folder) {
-  constexpr int kCan = 280;  // ARPHRD_CAN of <linux/if_arp.h>, as /sys/class/net/*/type prints it
-  std::vector<std::string> names;
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(network_folder, ignored)) {
-    int type = 0;
-    if (std::ifstream(entry.path() / "type") >> type && type == kCan)
-      names.push_back(entry.path().filename());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 std::vector<DeviceChoice> sensors_on_can(const std::string& network_folder) {
   std::vector<DeviceChoice> choices;
-  for (const auto& name : can_interfaces(network_folder))
+  for (const auto& name : look_around(network_folder).can)
     choices.push_back(
         {text(DeviceListTexts::tr("Force sensors on %1").arg(QString::fromStdString(name))),
          "can://" + name + "?protocol=rft"});
   return choices;
+}
+
+/// Nothing whose name somebody has given.
+void add_once(std::vector<DeviceChoice>& choices, DeviceChoice choice) {
+  if (std::none_of(choices.begin(), choices.end(),
+                   [&](const DeviceChoice& one) { return one.uri == choice.uri; }))
+    choices.push_back(std::move(choice));
+}
+
+/// Of an address that is in no list: what people know of it.
+std::string words_of_address(const std::string& uri) {
+  const auto parsed = Uri::parse(uri);
+  if (!parsed) return uri;
+  const auto target = QString::fromStdString(parsed->target);
+  if (parsed->scheme == "replay")
+    return text(DeviceListTexts::tr("Recording %1").arg(target.section(QLatin1Char('/'), -1)));
+  if (parsed->scheme == "sim") return text(DeviceListTexts::tr("Simulated: %1").arg(target));
+  if (parsed->scheme == "qtm" || parsed->scheme == "natnet")
+    return text(DeviceListTexts::tr("Cameras at %1").arg(target));
+  if (parsed->scheme == "leap" || parsed->scheme == "udp-hand")
+    return text(DeviceListTexts::tr("Tracked hand at %1").arg(target));
+  return text(DeviceListTexts::tr("Force sensors on %1").arg(target));
 }
 
 std::vector<DeviceChoice> with_preset(std::vector<DeviceChoice> choices,
@@ -53,7 +61,7 @@ std::vector<DeviceChoice> with_preset(std::vector<DeviceChoice> choices,
   const auto known = std::find_if(choices.begin(), choices.end(),
                                   [&](const DeviceChoice& c) { return c.uri == preset; });
   if (known == choices.end())
-    choices.insert(choices.begin(), {preset, preset});
+    choices.insert(choices.begin(), {words_of_address(preset), preset});
   else
     std::rotate(choices.begin(), known, known + 1);
   return choices;
@@ -69,17 +77,26 @@ QString words_of_pair(const std::string& name) {
 
 }  // namespace
 
-std::vector<DeviceChoice> list_platforms(const std::string& preset, const std::string& library,
+std::vector<DeviceChoice> list_platforms(const std::string& preset,
+                                         const std::vector<NamedDevice>& added,
+                                         const std::string& library,
                                          const std::string& network_folder) {
-  std::vector<DeviceChoice> choices = sensors_on_can(network_folder);
+  std::vector<DeviceChoice> choices;
+  for (const NamedDevice& device : added)
+    if (session::kind_of_apparatus(device.uri) == kPlatform)
+      choices.push_back({device.name, device.uri});
+  for (auto& choice : sensors_on_can(network_folder)) add_once(choices, std::move(choice));
   for (const std::string& name : session::simulated_pairs(library))
     choices.push_back({text(words_of_pair(name)), "sim://pair?file=" + name + "&seed=7"});
   return with_preset(std::move(choices), preset);
 }
 
 std::vector<DeviceChoice> list_devices(const std::string& preset,
+                                       const std::vector<NamedDevice>& added,
                                        const std::string& network_folder) {
-  std::vector<DeviceChoice> choices = sensors_on_can(network_folder);
+  std::vector<DeviceChoice> choices;
+  for (const NamedDevice& device : added) choices.push_back({device.name, device.uri});
+  for (auto& choice : sensors_on_can(network_folder)) add_once(choices, std::move(choice));
   choices.push_back(
       {text(DeviceListTexts::tr("Simulated patient, healthy")), "sim://healthy?seed=7"});
   choices.push_back(
@@ -98,24 +115,12 @@ std::vector<DeviceChoice> list_devices(const std::string& preset,
                      "sim://hand?user=healthy&seed=7"});
   choices.push_back({text(DeviceListTexts::tr("Simulated tracked hand, paretic")),
                      "sim://hand?user=paretic&seed=7"});
+  choices.push_back({text(DeviceListTexts::tr("Add a device …")), kAddDevice});
   return with_preset(std::move(choices), preset);
 }
 
 std::string recording_uri(const std::string& path) {
-  constexpr std::array<char, 16> kHex{'0', '1', '2', '3', '4', '5', '6', '7',
-                                      '8', '9', 'A', 'B', 'C', 'D', 'E', 'F'};
-  std::string uri = "replay://";
-  for (const char c : path) {
-    if (c == '%' || c == '?') {
-      const auto byte = static_cast<unsigned char>(c);
-      uri += '%';
-      uri += kHex[byte / 16];
-      uri += kHex[byte % 16];
-    } else {
-      uri += c;
-    }
-  }
-  return uri;
+  return "replay://" + escaped_for_uri(path);
 }
 
 }  // namespace isograsp::gui

@@ -49,12 +49,21 @@ VisitCard* VisitCards::card_at(int row) const {
 }
 
 void VisitCards::show_people(const std::vector<Shown>& people) {
+  const std::vector<Shown> shown(
+      people.begin(),
+      people.begin() + std::min<std::ptrdiff_t>(kMost, static_cast<std::ptrdiff_t>(people.size())));
+  const bool same = std::equal(shown.begin(), shown.end(), people_.begin(), people_.end(),
+                               [](const Shown& a, const Shown& b) {
+                                 return a.person.patient.code == b.person.patient.code;
+                               });
+  people_ = shown;
+  if (same) {  // the cards stay: somebody may be pressing one
+    for (int row = 0; row < count(); ++row) say(row);
+    return;
+  }
   const QSignalBlocker quiet(this);
   const QString before = currentItem() == nullptr ? QString() : currentItem()->text();
   clear();
-  people_.assign(
-      people.begin(),
-      people.begin() + std::min<std::ptrdiff_t>(kMost, static_cast<std::ptrdiff_t>(people.size())));
   for (std::size_t i = 0; i < people_.size(); ++i) {
     const auto code = QString::fromStdString(people_[i].person.patient.code);
     auto* item = new QListWidgetItem(code, this);

@@ -25,7 +25,7 @@ class VisitCards final : public QListWidget {
     PersonOfDay person;
     QString name;
   };
-  /// The cards are made anew; at most kMost.
+  /// At most kMost. Cards are made anew only where others, or another order, are to be shown.
   void show_people(const std::vector<Shown>& people);
   /// What was read of one of them.
   void renew(const QString& code);

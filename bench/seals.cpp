@@ -9,6 +9,8 @@
 //   bench_seals migrate FILE
 //   bench_seals close FOLDER plain|protected SECONDS
 //       four trials of so many seconds; valgrind counts what closing them takes (end_counted_trial)
+//       and what ending their session does (end_counted_session): its row, then every trial read
+//       back
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -139,6 +141,17 @@ RowId new_session(storage::SessionStore& store, RowId patient) {
   must(store.end_trial(trial, results));
 }
 
+/// As the program ends a session: every trial is read once more, each through a connection of its
+/// own.
+[[gnu::noinline]] void end_counted_session(storage::SessionStore& store, RowId session,
+                                           std::size_t trials) {
+  must(store.end_session(session));
+  for (std::size_t trial = 0; trial < trials; ++trial) {
+    const auto other = must(storage::open_store(store.path(), OpenMode::read_only));
+    static_cast<void>(must(other->signals(must(other->trials(session)).at(trial))));
+  }
+}
+
 /// `closing`: what ending it takes.
 void record_trial(storage::SessionStore& store, RowId session, int number, int seconds,
                   const std::vector<Second>& minute, Times& closing) {
@@ -202,6 +215,7 @@ void close(const std::string& folder, bool is_protected, int seconds) {
   Times closing;
   for (int number = 1; number <= kTrials; ++number)
     record_trial(*store, session, number, seconds, minute, closing);
+  end_counted_session(*store, session, kTrials);
 }
 
 /// Of sessions with six trials each.

@@ -13,6 +13,7 @@
 #include "core/time.hpp"
 #include "storage/access/access.hpp"
 #include "storage/access/open_store.hpp"
+#include "storage/file/schema.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
 
 namespace isograsp::storage {
@@ -192,8 +193,7 @@ Result<EmergencyFile> make_emergency_file(EmergencyFile of) {
   }
   const auto done = database->transact("making an emergency file"_text, [&] {
     soci::session& sql = database->sql();
-    sql << "CREATE TABLE emergency_origin (database_path TEXT NOT NULL, database_id TEXT NOT NULL, "
-           "reason TEXT NOT NULL) STRICT";
+    sql << schema::kEmergencyOrigin;
     sql << "INSERT INTO emergency_origin VALUES (:path, :id, :reason)", soci::use(of.database),
         soci::use(of.database_id), soci::use(of.reason);
   });

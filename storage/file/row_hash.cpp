@@ -34,39 +34,50 @@ struct Reference {
   std::vector<std::pair<std::string, std::string>> columns;  ///< from, to
 };
 
-std::vector<Reference> references_of(soci::session& sql, const std::string& table) {
-  std::map<int, Reference> all;
+/// Of every table, the shortest first.
+using ForeignKeys = std::map<std::string, std::vector<Reference>>;
+
+/// One query for all of them: this is done whenever a file is opened.
+ForeignKeys foreign_keys_of(soci::session& sql) {
+  std::map<std::string, std::map<int, Reference>> numbered;
+  std::string table;
   int id = 0;
   std::string to_table;
   std::string from;
   std::string to;
-  const std::string query =
-      "SELECT id, \"table\", \"from\", \"to\" FROM pragma_foreign_key_list('" + table +
-      "') ORDER BY id, seq";
-  soci::statement select = (sql.prepare << query, soci::into(id), soci::into(to_table),
-                            soci::into(from), soci::into(to));
+  soci::statement select =
+      (sql.prepare << "SELECT m.name, f.id, f.\"table\", f.\"from\", f.\"to\" FROM "
+                      "main.sqlite_schema m, pragma_foreign_key_list(m.name, 'main') f WHERE "
+                      "m.type = 'table' ORDER BY m.name, f.id, f.seq",
+       soci::into(table), soci::into(id), soci::into(to_table), soci::into(from), soci::into(to));
   select.execute();
   while (select.fetch()) {
-    all[id].table = to_table;
-    all[id].columns.emplace_back(from, to);
+    Reference& one = numbered[table][id];
+    one.table = to_table;
+    one.columns.emplace_back(from, to);
   }
-  std::vector<Reference> shortest_first;
-  for (auto& [number, one] : all) shortest_first.push_back(std::move(one));
-  // One that is optional (the trial of an event) has more columns than the one that is not.
-  std::stable_sort(shortest_first.begin(), shortest_first.end(), [](const auto& a, const auto& b) {
-    return a.columns.size() < b.columns.size();
-  });
-  return shortest_first;
+  ForeignKeys all;
+  for (auto& [name, of_table] : numbered) {
+    std::vector<Reference>& shortest_first = all[name];
+    for (auto& [number, one] : of_table) shortest_first.push_back(std::move(one));
+    // One that is optional (the trial of an event) has more columns than the one that is not.
+    std::stable_sort(
+        shortest_first.begin(), shortest_first.end(),
+        [](const auto& a, const auto& b) { return a.columns.size() < b.columns.size(); });
+  }
+  return all;
 }
 
 /// Nothing: rows of the table belong to nobody.
-std::optional<std::string> salt_of(soci::session& sql, const std::string& table,
+std::optional<std::string> salt_of(const ForeignKeys& references, const std::string& table,
                                    const std::string& row) {
   if (table == "patients") return row + ".salt";
-  for (const Reference& reference : references_of(sql, table)) {
+  const auto of_table = references.find(table);
+  if (of_table == references.end()) return std::nullopt;
+  for (const Reference& reference : of_table->second) {
     if (reference.table == table) continue;
     const std::string other = row + "x";
-    const auto salt = salt_of(sql, reference.table, other);
+    const auto salt = salt_of(references, reference.table, other);
     if (!salt) continue;
     std::string where;
     for (const auto& [from, to] : reference.columns)
@@ -123,7 +134,8 @@ std::vector<SealedTable> sealed_tables(soci::session& sql) {
     }
     finish();
   }
-  for (SealedTable& one : all) one.salt = salt_of(sql, one.name, "t").value_or("NULL");
+  const ForeignKeys references = foreign_keys_of(sql);
+  for (SealedTable& one : all) one.salt = salt_of(references, one.name, "t").value_or("NULL");
   return all;
 }
 

@@ -24,4 +24,9 @@ struct Table {
 /// Statements that make a new file.
 [[nodiscard]] std::vector<std::string> statements();
 
+/// An emergency file has it besides: where it belongs.
+inline constexpr const char* kEmergencyOrigin =
+    "CREATE TABLE emergency_origin (database_path TEXT NOT NULL, database_id TEXT NOT NULL, "
+    "reason TEXT NOT NULL) STRICT";
+
 }  // namespace isograsp::storage::schema

@@ -11,6 +11,7 @@
 
 #include "storage/access/open_store.hpp"
 #include "storage/care/backups.hpp"
+#include "storage/file/schema.hpp"
 #include "tests/storage/protected_clinic.hpp"
 #include "tests/support/every.hpp"
 
@@ -325,6 +326,22 @@ TEST_F(Attacked, AForeignTableAndAMissingIndexAreNamed) {
   ASSERT_EQ(problems.size(), 2u);
   EXPECT_NE(english(problems[0]).find("theirs"), std::string::npos);
   EXPECT_NE(english(problems[1]).find("CREATE INDEX events_of_session"), std::string::npos);
+}
+
+/// What it says is compared with nothing.
+TEST_F(Attacked, ATableOfEmergencyFilesIsNamedInAClinicsFileWhateverItSays) {
+  for (const char* made : {schema::kEmergencyOrigin, "CREATE TABLE emergency_origin (a)"}) {
+    execute({made});
+    for (const bool has_row : {false, true}) {
+      if (has_row)
+        execute({"INSERT INTO emergency_origin VALUES (" +
+                 std::string(made == schema::kEmergencyOrigin ? "'/a', 'b', 'c'" : "1") + ")"});
+      const auto problems = must(opened(path, OpenMode::existing)->check());
+      ASSERT_EQ(problems.size(), 1u);
+      EXPECT_EQ(english(problems[0]), "sqlite_schema: emergency_origin was not made by isograsp");
+    }
+    execute({"DROP TABLE emergency_origin"});
+  }
 }
 
 TEST_F(Attacked, AViewIsNotOpenedAtAll) {

@@ -33,10 +33,10 @@ FaultCard::FaultCard(SessionPresenter& presenter, QWidget* parent)
   again_->setObjectName("try_again");
   describe(*again_, tr("Try again"), tr("What has failed (F8)"));
   auto* said = new QVBoxLayout;
-  said->setSpacing(4);
+  said->setSpacing(2);
   for (QLabel* label : {happened_, safe_, remedy_}) said->addWidget(label);
   auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(kBeside_px + kFaultEdge_px, 12, 12, 12);
+  row->setContentsMargins(kBeside_px + kFaultEdge_px, 8, 12, 8);
   row->setSpacing(16);
   row->addLayout(said, 1);
   row->addWidget(again_, 0, Qt::AlignVCenter);

@@ -21,6 +21,9 @@ namespace {
 
 /// With large letters what is watched stands below the two columns of what is done.
 constexpr int kLargestInARow_percent = 115;
+/// The column of steps, at least: beside what is watched of a hand in German and a scroll bar,
+/// which comes with the card of a fault, nothing scrolls sideways.
+constexpr int kSteps_px = 274;
 
 QVBoxLayout* make_column(int least_px, int most_px) {
   auto* holder = new QWidget;
@@ -100,7 +103,7 @@ QWidget* SessionPage::make_run() {
 
 void SessionPage::arrange() {
   for (QWidget* part : {static_cast<QWidget*>(prepare_), watch_, run_}) grid_->removeWidget(part);
-  prepare_->setMinimumWidth(folded_ ? 0 : scaled(in_a_row_ ? 290 : 260));
+  prepare_->setMinimumWidth(folded_ ? 0 : scaled(in_a_row_ ? kSteps_px : 260));
   prepare_->setMaximumWidth(folded_ || !in_a_row_ ? QWIDGETSIZE_MAX : scaled(360));
   const int columns = in_a_row_ ? 3 : 2;
   grid_->addWidget(prepare_, folded_ ? 0 : 1, 0, 1, folded_ ? columns : 1);

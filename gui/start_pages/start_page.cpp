@@ -42,7 +42,10 @@ StartPage::StartPage(Clinic& clinic, SessionPresenter& presenter, Staff& staff, 
   auto* day = new QHBoxLayout;
   day->setSpacing(16);
   day->addWidget(cards_, 5);
-  day->addWidget(chosen_, 2);
+  auto* beside = new QHBoxLayout;
+  beside->setContentsMargins(0, 0, 8, 8);
+  beside->addWidget(chosen_);
+  day->addLayout(beside, 2);
   column->addLayout(day, 1);
   column->addWidget(empty_);
   column->addStretch(0);

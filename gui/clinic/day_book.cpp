@@ -29,6 +29,7 @@ QStringList words_that_find(const DayCard& card) {
 
 DayBook::DayBook(Clinic& clinic, QObject* parent) : QObject(parent), clinic_(clinic) {
   connect(&clinic_, &Clinic::patients_changed, this, &DayBook::renew);
+  renew();  // the window may be made anew in a clinic that is open
 }
 
 void DayBook::renew() {

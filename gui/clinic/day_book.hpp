@@ -19,6 +19,7 @@ class DayBook final : public QObject {
   Q_OBJECT
 
  public:
+  /// Of a clinic that is open, or will be.
   explicit DayBook(Clinic& clinic, QObject* parent = nullptr);
 
   /// Sessions were added: everything is read anew -> changed(). Until then all stays as it is.

@@ -23,7 +23,7 @@ namespace {
 constexpr int kLargestInARow_percent = 115;
 /// The column of steps, at least: beside what is watched of a hand in German and a scroll bar,
 /// which comes with the card of a fault, nothing scrolls sideways.
-constexpr int kSteps_px = 274;
+constexpr int kSteps_px = 284;
 
 QVBoxLayout* make_column(int least_px, int most_px) {
   auto* holder = new QWidget;
@@ -42,7 +42,7 @@ SessionPage::SessionPage(Clinic& clinic, SessionPresenter& presenter, SettingsFi
     : QWidget(parent), presenter_(presenter), in_a_row_(scaled(100) <= kLargestInARow_percent) {
   grid_ = new QGridLayout(this);
   const int apart_px = in_a_row_ ? 12 : 8;  // large letters need the room
-  grid_->setContentsMargins(apart_px, apart_px, apart_px, apart_px);
+  grid_->setContentsMargins(8, apart_px, 8, apart_px);
   grid_->setSpacing(apart_px);
   prepare_ = new PreparePanel(presenter, settings, staff);
   watch_ = make_closing(clinic, make_watch(clinic, settings));

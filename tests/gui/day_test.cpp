@@ -169,6 +169,18 @@ TEST_F(StartPageTest, TheChosenPersonStandsBesideTheCardsWhereThereIsRoom) {
   EXPECT_FALSE(says("P-1")) << "nothing of somebody else stays";
 }
 
+TEST_F(StartPageTest, AWindowThatIsMadeAnewShowsTheDayToo) {
+  const auto* const before = &windows_->therapist();
+  Settings settings = windows_->settings().now();
+  settings.language = "de";
+  windows_->settings().change(settings);
+  ASSERT_TRUE(wait_until([&] { return &windows_->therapist() != before; }));
+  EXPECT_TRUE(wait_until([&] { return cards().count() == 2; }));
+  settings.language = "en";
+  windows_->settings().change(settings);
+  ASSERT_TRUE(wait_until([&] { return cards().count() == 2; }));
+}
+
 TEST_F(StartPageTest, PeopleAreFoundByTreatmentAndProtocol) {
   auto& search = operator_->find<QLineEdit>("patient_search");
   search.setText("botulinum");

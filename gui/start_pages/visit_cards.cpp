@@ -5,6 +5,7 @@
 #include <QSignalBlocker>
 #include <QStyledItemDelegate>
 #include <algorithm>
+#include <utility>
 
 #include "gui/look/look.hpp"
 
@@ -49,14 +50,13 @@ VisitCard* VisitCards::card_at(int row) const {
 }
 
 void VisitCards::show_people(const std::vector<Shown>& people) {
-  const std::vector<Shown> shown(
-      people.begin(),
-      people.begin() + std::min<std::ptrdiff_t>(kMost, static_cast<std::ptrdiff_t>(people.size())));
-  const bool same = std::equal(shown.begin(), shown.end(), people_.begin(), people_.end(),
+  auto most = people;
+  if (most.size() > kMost) most.resize(kMost);
+  const bool same = std::equal(most.begin(), most.end(), people_.begin(), people_.end(),
                                [](const Shown& a, const Shown& b) {
                                  return a.person.patient.code == b.person.patient.code;
                                });
-  people_ = shown;
+  people_ = std::move(most);
   if (same) {  // the cards stay: somebody may be pressing one
     for (int row = 0; row < count(); ++row) say(row);
     return;

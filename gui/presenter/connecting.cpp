@@ -180,9 +180,9 @@ void Connecting::take_other_hand() {
 void Connecting::try_again() {
   if (!flow_.view().may_try_again) return;
   if (state_.open) return end_session();  // its device sends nothing any more
-  if (flow_.view().may_connect) return connect_device();
-  state_.connection.failure.reset();
+  state_.connection.failure.reset();      // who tries again has not said that the clock is right
   flow_.update();
+  connect_device();
 }
 
 void Connecting::end_session() {

@@ -23,7 +23,7 @@ QString safe_words(const FlowFacts& facts) {
   }
   if (!facts.broken_off)
     return FlowFaultTexts::tr("No session has begun, and nothing was changed.");
-  return until.isEmpty() ? FlowFaultTexts::tr("What is stored where is said above.")
+  return until.isEmpty() ? FlowFaultTexts::tr("What is kept, and where, is said below.")
                          : FlowFaultTexts::tr("All up to %1 is stored.").arg(until);
 }
 

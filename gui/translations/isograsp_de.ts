@@ -1064,8 +1064,8 @@
         <translation>Es hat keine Sitzung begonnen, und nichts wurde verändert.</translation>
     </message>
     <message>
-        <source>What is stored where is said above.</source>
-        <translation>Was wo gespeichert ist, steht darüber.</translation>
+        <source>What is kept, and where, is said below.</source>
+        <translation>Was erhalten ist, und wo, steht darunter.</translation>
     </message>
     <message>
         <source>All up to %1 is stored.</source>

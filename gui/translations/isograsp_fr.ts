@@ -1064,8 +1064,8 @@
         <translation>Aucune séance n’a commencé et rien n’a été modifié.</translation>
     </message>
     <message>
-        <source>What is stored where is said above.</source>
-        <translation>Ce qui est enregistré, et où, est dit au-dessus.</translation>
+        <source>What is kept, and where, is said below.</source>
+        <translation>Ce qui est conservé, et où, est dit au-dessous.</translation>
     </message>
     <message>
         <source>All up to %1 is stored.</source>

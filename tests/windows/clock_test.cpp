@@ -29,7 +29,7 @@ class ClockBehind : public test::ClinicDesk {
 TEST_F(ClockBehind, NoSessionBeginsAsLongAsNobodySaysThatItIsRight) {
   ASSERT_NO_FATAL_FAILURE(connect());
   ASSERT_TRUE(is_asked()) << desktop_.seen();
-  EXPECT_NE(words_on("sentence").find("connect again if it is right"), std::string::npos);
+  EXPECT_NE(words_on("fault_remedy").find("connect again if it is right"), std::string::npos);
   EXPECT_EQ(sessions(), "1\n");
   expect_clean_end();
   EXPECT_EQ(sessions(), "1\n") << "to leave is a no";

@@ -44,7 +44,9 @@ TEST_P(TakenAway, DuringATrialBothScreensSaySoAndTheNextStartBringsItBack) {
   GetParam().strike(database());
   ASSERT_TRUE(wait_for_words(GetParam().words)) << desktop_.seen();
   EXPECT_TRUE(desktop_.wait_until([this] { return patient_screen_tells(); }));
-  ASSERT_TRUE(wait_for_words("isograsp db rescue " + database())) << desktop_.seen();
+  ASSERT_TRUE(desktop_.wait_until([this] {
+    return words_on("fault_remedy").find("isograsp db rescue " + database()) != std::string::npos;
+  })) << desktop_.seen();
   desktop_.keep_picture("taken_away");
   EXPECT_NE(words_on("result_remark").find("interrupted"), std::string::npos)
       << words_on("result_remark");

@@ -27,7 +27,9 @@ void look_at(Apparatus& apparatus, const std::stop_token& stop, DeviceAnswer& an
   int before = 0;
   while (!stop.stop_requested() && apparatus.next()) {
     const double now_s = apparatus.now().session_time_s;
-    const bool whole = !apparatus.receive().gap;
+    const Reception reception = apparatus.receive();
+    // What cameras do not see at the moment is no fault of theirs.
+    const bool whole = !reception.gap && reception.sight != Reception::Sight::lost;
     if (first_s < 0.0 && whole) first_s = now_s;
     if (first_s < 0.0) {
       ++before;

@@ -8,7 +8,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <vector>
 
 #include "gui/device_pages/device_address.hpp"
@@ -21,16 +20,6 @@ namespace {
 
 constexpr std::array<const char*, 3> kSchemes{"qtm://", "natnet://", "replay://"};
 constexpr int kRecording = 2;
-
-std::vector<std::string> rigs_in(const std::string& library) {
-  std::vector<std::string> names;
-  std::error_code unreadable;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(std::filesystem::path(library) / "rigs", unreadable))
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem());
-  std::sort(names.begin(), names.end());
-  return names;
-}
 
 }  // namespace
 

@@ -29,9 +29,8 @@ std::string seen_last(const PersonOfDay& person) {
                      : person.patient.created_utc;
 }
 
-template <class Text>
-void add_once(std::vector<std::string>& all, const Text& one) {
-  if (!one.empty() && std::find(all.begin(), all.end(), one) == all.end()) all.emplace_back(one);
+void add_once(std::vector<std::string>& all, const std::string& one) {
+  if (!one.empty() && std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
 }
 
 /// When the work began that the person's newest session has left open.
@@ -49,6 +48,24 @@ std::string unfinished_since(storage::SessionStore& store,
         return one.id == work->first_id.value_or(sessions.back().id);
       });
   return first == sessions.end() ? sessions.back().started_utc : first->started_utc;
+}
+
+Result<DayCard> what_finds(storage::SessionStore& store, const storage::PatientRecord& patient,
+                           const std::vector<storage::SessionRecord>& sessions) {
+  const auto marks = store.treatment_marks(patient.id);
+  if (!marks) return marks.error();
+  const auto profile = store.profile(patient.id);
+  if (!profile) return profile.error();
+  DayCard card;
+  card.sessions = static_cast<int>(sessions.size());
+  card.blank = sessions.empty() && marks->empty() && *profile == storage::PatientProfile{};
+  if (!sessions.empty()) card.last = sessions.back();
+  for (const auto& session : sessions) add_once(card.protocols, session.protocol_name);
+  for (const auto& mark : *marks) {
+    add_once(card.marks, mark.kind);
+    add_once(card.marks, mark.text);
+  }
+  return card;
 }
 
 }  // namespace
@@ -81,30 +98,16 @@ std::vector<PersonOfDay> in_order_of_day(const std::vector<storage::PatientRecor
 
 Result<DayCard> read_what_finds(storage::SessionStore& store,
                                 const storage::PatientRecord& patient) {
-  auto sessions = store.sessions(patient.id);
-  if (!sessions) return sessions.error();
-  const auto marks = store.treatment_marks(patient.id);
-  if (!marks) return marks.error();
-  DayCard card;
-  card.sessions = static_cast<int>(sessions->size());
-  for (const auto& session : *sessions) add_once(card.protocols, session.protocol_name);
-  for (const auto& mark : *marks) {
-    add_once(card.marks, mark.kind);
-    add_once(card.marks, mark.text);
-  }
-  const auto profile = store.profile(patient.id);
-  if (!profile) return profile.error();
-  card.blank = sessions->empty() && marks->empty() && *profile == storage::PatientProfile{};
-  if (!sessions->empty()) card.last = std::move(sessions->back());
-  return card;
+  const auto sessions = store.sessions(patient.id);
+  return sessions ? what_finds(store, patient, *sessions) : Result<DayCard>(sessions.error());
 }
 
 Result<DayCard> read_day_card(storage::SessionStore& store, const storage::PatientRecord& patient,
                               const std::string& now_utc) {
-  auto card = read_what_finds(store, patient);
-  if (!card || !card->last) return card;
   const auto sessions = store.sessions(patient.id);
   if (!sessions) return sessions.error();
+  auto card = what_finds(store, patient, *sessions);
+  if (!card || sessions->empty()) return card;
   card->unfinished_since_utc = unfinished_since(store, *sessions, now_utc);
   const auto primaries = store.primary_measures(patient.id);
   if (!primaries) return primaries.error();

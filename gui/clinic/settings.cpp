@@ -3,6 +3,7 @@
 
 #include <QSettings>
 #include <QStandardPaths>
+#include <algorithm>
 
 namespace isograsp::gui {
 
@@ -47,15 +48,23 @@ class Reader {
   QStringList& problems_;
 };
 
-std::vector<NamedDevice> read_devices(QSettings& file) {
+std::vector<NamedDevice> read_devices(QSettings& file, QStringList& problems) {
   std::vector<NamedDevice> devices;
   const int count = file.beginReadArray(kDevices);
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < std::min(count, limits::kMostDevices); ++i) {
     file.setArrayIndex(i);
-    devices.push_back({file.value(kDeviceName).toString().toStdString(),
-                       file.value(kDeviceAddress).toString().toStdString()});
+    const NamedDevice device{file.value(kDeviceName).toString().toStdString(),
+                             file.value(kDeviceAddress).toString().toStdString()};
+    if (!device.name.empty() && !device.uri.empty()) devices.push_back(device);
   }
   file.endArray();
+  if (const int left_out = count - static_cast<int>(devices.size()); left_out > 0)
+    problems += SettingsFile::tr(
+                    "%1: %2 devices are left out: without a name or an address, or behind the "
+                    "first %3. Add them again in a session.")
+                    .arg(file.fileName())
+                    .arg(left_out)
+                    .arg(limits::kMostDevices);
   return devices;
 }
 
@@ -108,7 +117,7 @@ void SettingsFile::read() {
   now_.display_delay_s = reader.number(kDelay, 0.0, limits::kLongestDelay_s);
   now_.volume_percent =
       static_cast<int>(reader.number(kVolume, 0, 100).value_or(usual.volume_percent));
-  now_.devices = read_devices(file);
+  now_.devices = read_devices(file, problems_);
   now_.share_of_maximum = file.value(kShare, usual.share_of_maximum).toBool();
 }
 

@@ -45,6 +45,7 @@ inline constexpr double kFarthest_m = 5.0;
 inline constexpr double kLowestScreen_m = 0.05;
 inline constexpr double kHighestScreen_m = 3.0;
 inline constexpr double kLongestDelay_s = 0.5;
+inline constexpr int kMostDevices = 100;  ///< more than a workstation has; a file may say anything
 }  // namespace limits
 
 class SettingsFile final : public QObject {

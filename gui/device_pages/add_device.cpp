@@ -22,15 +22,6 @@ namespace {
 
 constexpr int kFieldWide_px = 340;
 
-std::vector<fs::path> files_in(const fs::path& folder) {
-  std::vector<fs::path> files;
-  std::error_code unreadable;
-  for (const auto& entry : fs::directory_iterator(folder, unreadable))
-    if (entry.path().extension() == ".toml") files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
 /// "Robotous RFT on can0: thumb 1234, index 1235, middle 1236."
 QString words_of(const session::DeviceAnswer& answer) {
   QStringList parts;
@@ -107,8 +98,7 @@ void AddDeviceDialog::make_fields() {
   setup_ = choice("device_setup", tr("Set-up"),
                   tr("The file that says how the sensors are mounted and set (arrow keys)"));
   rig_ = choice("device_rig", tr("Rig"), tr("What the markers are stuck to (arrow keys)"));
-  for (const auto& file : files_in(fs::path(library_) / "rigs"))
-    rig_->addItem(qt(file.stem().string()));
+  for (const auto& name : rigs_in(library_)) rig_->addItem(qt(name));
   rig_->setCurrentIndex(std::max(0, rig_->findText("kurillo15")));  // that of the assessment
   name_ = new QLineEdit;
   name_->setObjectName("device_name");
@@ -208,11 +198,11 @@ void AddDeviceDialog::refresh() {
     setup_->setProperty("family", qt(now.family));
     setup_->clear();
     setup_->addItem(tr("as delivered"), QString());
-    for (const auto& file : files_in(fs::path(library_) / "devices"))
+    for (const auto& file : toml_files_in(library_ + "/devices"))
       if (const auto config = DeviceConfig::read(file);
           config && config->family->name == now.family)
-        setup_->addItem(qt(config->name.empty() ? file.stem().string() : config->name),
-                        qt(file.string()));
+        setup_->addItem(qt(config->name.empty() ? fs::path(file).stem().string() : config->name),
+                        qt(file));
   }
   const bool complete = !uri_of(draft()).empty();
   const bool asks = now_.has_value();

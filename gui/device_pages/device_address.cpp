@@ -140,6 +140,21 @@ Surroundings look_around(const std::string& network_folder, const std::string& d
   return here;
 }
 
+std::vector<std::string> toml_files_in(const std::string& folder) {
+  std::vector<std::string> files;
+  std::error_code unreadable;
+  for (const auto& entry : fs::directory_iterator(folder, unreadable))
+    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<std::string> rigs_in(const std::string& library) {
+  std::vector<std::string> names;
+  for (const auto& file : toml_files_in(library + "/rigs")) names.push_back(fs::path(file).stem());
+  return names;
+}
+
 std::vector<DeviceDraft> candidates(const DeviceDraft& draft, const Surroundings& here) {
   std::vector<std::string> places;
   if (!draft.where.empty()) {

@@ -55,6 +55,11 @@ struct Surroundings {
 [[nodiscard]] Surroundings look_around(const std::string& network_folder = "/sys/class/net",
                                        const std::string& device_folder = "/dev");
 
+/// The rigs that the library describes, by name.
+[[nodiscard]] std::vector<std::string> rigs_in(const std::string& library);
+/// TOML files of a folder, in alphabetical order; none where it cannot be read.
+[[nodiscard]] std::vector<std::string> toml_files_in(const std::string& folder);
+
 /// What is asked to find a device of that kind, each complete: every interface and family, what
 /// stands at the address, or on this computer where none was given.
 [[nodiscard]] std::vector<DeviceDraft> candidates(const DeviceDraft& draft,

@@ -177,12 +177,16 @@ void StartPage::fill() {
 
 /// What stands on the cards is read while somebody looks at them.
 void StartPage::read_cards() {
-  if (isVisible()) book_->look_at(shown_);
+  if (isVisible() && !presenter_.state().session_open()) book_->look_at(shown_);
 }
 
 void StartPage::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  chosen_->setVisible(width() >= scaled(kWideFrom_px));
+  show_chosen();
+}
+
+void StartPage::show_chosen() {
+  show_part(*chosen_, width() >= scaled(kWideFrom_px) && !presenter_.state().session_open());
 }
 
 void StartPage::showEvent(QShowEvent* event) {
@@ -205,6 +209,11 @@ void StartPage::refresh() {
   const SessionState& state = presenter_.state();
   names_->setVisible(staff_.is_protected() && staff_.allows(storage::Right::identities) &&
                      staff_.names().empty());
+  // While a session is open no other person is on any screen.
+  const bool open = state.session_open();
+  show_part(*cards_, !open);
+  search_->setEnabled(!open);
+  show_chosen();
   cards_->setEnabled(view.may_change_patient);
   cards_->allow(view.may_change_patient && !state.config.look_only, view.may_change_patient);
   add_->setEnabled(view.may_change_patient && !state.config.look_only);

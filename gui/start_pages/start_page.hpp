@@ -45,6 +45,7 @@ class StartPage final : public QWidget {
   void fill();
   void read_cards();
   void begin_with(const QString& code);
+  void show_chosen();
   void refresh();
 
   Clinic& clinic_;

@@ -7739,6 +7739,10 @@ Neu verbunden: %7</translation>
         <source>The settings could not be written to %1: they hold until the program ends.</source>
         <translation>Die Einstellungen konnten nicht nach %1 geschrieben werden: Sie gelten bis zum Ende des Programms.</translation>
     </message>
+    <message>
+        <source>%1: %2 devices are left out: without a name or an address, or behind the first %3. Add them again in a session.</source>
+        <translation>%1: %2 Geräte werden weggelassen: ohne Namen oder Adresse, oder hinter den ersten %3. Fügen Sie sie in einer Sitzung neu hinzu.</translation>
+    </message>
 </context>
 <context>
     <name>isograsp::gui::SettingsPage</name>

@@ -7739,6 +7739,10 @@ Reconnecté&#xa0;: %7</translation>
         <source>The settings could not be written to %1: they hold until the program ends.</source>
         <translation>Les réglages n’ont pas pu être écrits dans %1&#xa0;: ils valent jusqu’à la fin du programme.</translation>
     </message>
+    <message>
+        <source>%1: %2 devices are left out: without a name or an address, or behind the first %3. Add them again in a session.</source>
+        <translation>%1&#xa0;: %2 appareils sont omis&#xa0;: sans nom ou sans adresse, ou après les %3 premiers. Ajoutez-les de nouveau dans une séance.</translation>
+    </message>
 </context>
 <context>
     <name>isograsp::gui::SettingsPage</name>

@@ -137,9 +137,13 @@ TEST_F(AddDevice, IsCheckedNamedChosenAndStillThereAfterwards) {
   kind.setCurrentIndex(1);
   Q_EMIT kind.activated(1);
   widget_called<QComboBox>("device_where", dialog).setEditText(addresses());
-  QTest::mouseClick(&widget_called<QAbstractButton>("device_check", dialog), Qt::LeftButton);
-  ASSERT_TRUE(wait_until([&] { return result.text().contains("times a second"); }, 20))
-      << result.text().toStdString();
+  auto& check = widget_called<QAbstractButton>("device_check", dialog);
+  constexpr int kMostLooks = 5;  // one of a busy computer may miss a part
+  for (int look = 0; look < kMostLooks && !result.text().contains("times a second"); ++look) {
+    QTest::mouseClick(&check, Qt::LeftButton);
+    ASSERT_TRUE(wait_until([&] { return check.isEnabled(); }, 20));
+  }
+  ASSERT_TRUE(result.text().contains("times a second")) << result.text().toStdString();
   EXPECT_FALSE(add.isEnabled()) << "it has no name";
   widget_called<QLineEdit>("device_name", dialog).setText("Room 2");
   keep_picture(dialog, "add_device_checked");

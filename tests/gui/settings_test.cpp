@@ -36,9 +36,11 @@ TEST_F(SettingsTest, WhatIsChosenIsThereTheNextTime) {
   chosen.display_delay_s = 0.0213;
   chosen.volume_percent = 20;
   chosen.share_of_maximum = true;
+  chosen.devices = {{"Room 2", "can://can0?protocol=rft"}, {"Raum, 3 = \"neu\"", "qtm://a?rig=b"}};
   SettingsFile(path()).change(chosen);
   EXPECT_EQ(SettingsFile(path()).now(), chosen);
   chosen.display_delay_s.reset();  // not measured any more
+  chosen.devices.pop_back();       // forgotten
   SettingsFile(path()).change(chosen);
   EXPECT_EQ(SettingsFile(path()).now(), chosen);
 }
@@ -50,6 +52,17 @@ TEST_F(SettingsTest, AValueThatMakesNoSenseIsNamedAndNotUsed) {
   EXPECT_TRUE(file.problems()[0].contains("font_percent"));
   EXPECT_TRUE(file.problems()[1].contains("viewing_distance_m = \"near\""));
   EXPECT_EQ(file.now(), Settings{});
+}
+
+TEST_F(SettingsTest, DevicesThatMakeNoSenseAreNamedAndLeftOutHoweverManyTheFileSaysThereAre) {
+  folder_.write("i.ini",
+                "[devices]\nsize=2000000000\n1\\name=Room 2\n1\\address=can://can0\n2\\name=\n");
+  const SettingsFile file(path());
+  ASSERT_EQ(file.now().devices.size(), 1U);
+  EXPECT_EQ(file.now().devices[0], (NamedDevice{"Room 2", "can://can0"}));
+  ASSERT_EQ(file.problems().size(), 1);
+  EXPECT_TRUE(file.problems()[0].contains("1999999999 devices"))
+      << file.problems()[0].toStdString();
 }
 
 TEST_F(SettingsTest, AFileThatCannotBeWrittenIsSaid) {
